@@ -80,7 +80,11 @@ enum pm_ask_kind {
     PM_ASK_AT_MIN = 5,
     PM_ASK_GRID = 6, /* program where program_2 first equals each of `count` values from first_value on */
     PM_ASK_EACH = 7, /* program at each firing of an event, up to `count` of them */
-    PM_ASK_KINDS = 8
+    PM_ASK_INTEGRAL =
+        8,           /* of program by the time; program_2: a condition, program is 0 where it does not hold */
+    PM_ASK_MEAN = 9, /* the integral over the time in which the condition holds: over all time without one */
+    PM_ASK_RMS = 10, /* root of the mean of the square of program, likewise */
+    PM_ASK_KINDS = 11
 };
 enum pm_ask_column {
     PM_ASK_KIND = 0,

@@ -6,6 +6,7 @@
 
 #include "equations/shared_reading.h"
 #include "events/event.h"
+#include "events/integral.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
 #include "expression/program.h"
@@ -51,16 +52,18 @@ int pm_ask_create(pm_workspace *w)
     a->minimum = pm_bracket_minimum_create();
     int status = pm_arena_keep(&w->memory, a->solver, pm_bracket_free);
     status |= pm_arena_keep(&w->memory, a->minimum, pm_bracket_minimum_free);
-    if (status || pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
+    if (status || pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_integral_create(w)) return PM_NO_MEMORY;
     a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
-        const int watches = e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] <= PM_ASK_GRID;
+        const int watches = pm_ask_watches(e);
         if (watches) a->observer[a->nobserver++] = i;
         if (watches) {
             note_switches(w, i);
             pm_watched_samples_add(w->model, w->watched, pm_ask_program(e), PM_SAMPLE_ASKS);
         }
+        if (pm_ask_is_integral(e) && e[PM_ASK_PROGRAM_2] >= 0)
+            pm_watched_samples_add(w->model, w->watched, e[PM_ASK_PROGRAM_2], PM_SAMPLE_ASKS);
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
             const int level = program >= 0 ? w->model->programs.level[program] : PM_LEVEL_NONE;
@@ -81,6 +84,7 @@ void pm_ask_reset(pm_workspace *w)
     memset(a->filled, 0, (size_t)w->model->nout);
     memset(a->sound, 0, (size_t)w->model->nout);
     a->fresh = 0;
+    pm_integral_reset(w);
     for (int i = 0; i < w->model->nout; i++) w->result.out[i] = NAN;
     for (int i = 0; i < w->model->nask; i++) w->result.reason[i] = PM_REASON_NOT_REACHED;
 }
@@ -195,6 +199,7 @@ void pm_ask_instant(pm_workspace *w)
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
+        if (pm_ask_is_integral(e)) continue;
         const double value = unique(w, ask, pm_ask_program(e), pm_ask_run(w, ask));
         if (e[PM_ASK_KIND] == PM_ASK_GRID)
             offer_grid(w, ask, value);
@@ -271,6 +276,7 @@ void pm_ask_end(pm_workspace *w)
         if (e[PM_ASK_KIND] == PM_ASK_END)
             pm_ask_answer(w, i, 0, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
         if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, pm_ask_value(w, e[PM_ASK_PROGRAM_2]));
+        if (pm_ask_is_integral(e)) answer(w, i, 0, pm_integral_answer(w, i));
         if (w->ask->undefined[i]) answer(w, i, 0, NAN);
         charge_residual(w, i);
         int filled = 1, undefined = 0, infinite = 0;

@@ -1,11 +1,12 @@
-/* ask_step.c - what asks take of a step that has been sampled: grid values that it passes, extremes in it.
+/* ask_step.c - what asks take of a step that has been sampled: grid values that it passes, extremes in it, its part of integrals.
  *
  * A grid value lies between two nodes with samples on both sides of it: it is bracketed there on the dense output, and
- * polished on exact states.  Extremes: extremum.h. */
+ * polished on exact states.  Extremes: extremum.h; integrals: integral.h. */
 #include <math.h>
 
 #include "events/ask.h"
 #include "events/extremum.h"
+#include "events/integral.h"
 #include "events/step.h"
 #include "numerics/bracket.h"
 #include "numerics/chebyshev_nodes.h"
@@ -84,13 +85,12 @@ static int offer_end(pm_workspace *w)
 {
     int counts = 0;
     for (int i = 0; i < w->ask->nobserver && !counts; i++)
-        counts = PM_ASK_ROW(w->model, w->ask->observer[i])[PM_ASK_KIND] != PM_ASK_GRID &&
+        counts = pm_ask_is_extreme(PM_ASK_ROW(w->model, w->ask->observer[i])) &&
                  pm_extremum_end_counts(w, w->ask->observer[i]);
     const int status = counts ? pm_ask_look(w, w->step.end, 1) : PM_OK;
     for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
         const int ask = w->ask->observer[i];
-        if (PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] != PM_ASK_GRID)
-            pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
+        if (pm_ask_is_extreme(PM_ASK_ROW(w->model, ask))) pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
     }
     return status;
 }
@@ -102,8 +102,11 @@ int pm_ask_step(pm_workspace *w)
         if (status) return status;
     }
     for (int i = 0; i < w->ask->nobserver; i++) {
-        const int ask = w->ask->observer[i], grid = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_GRID;
-        const int status = grid ? grid_in_step(w, ask) : pm_extremum_take(w, ask);
+        const int ask = w->ask->observer[i];
+        const int32_t *e = PM_ASK_ROW(w->model, ask);
+        const int status = pm_ask_is_integral(e)  ? pm_integral_step(w, ask)
+                           : pm_ask_is_extreme(e) ? pm_extremum_take(w, ask)
+                                                  : grid_in_step(w, ask);
         if (status) return status;
     }
     return PM_OK;

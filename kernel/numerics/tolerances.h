@@ -162,6 +162,9 @@
 #define PM_ON_MULTIPLE 1e-9 /* of the multiples' distance: `every` begins on one of them; larger: one right after the begin is lost */
 #define PM_ON_GRID 1e-9 /* of a grid value: it is met at the start or end of the run; larger: answered beside its place */
 #define PM_GRID_ROUNDING 1e-12 /* of the greatest watched value: so much of a grid value, of 0 too, is rounding; larger: as above */
+#define PM_INTEGRAL_ERROR 0.1 /* of the run's tolerance: what quadrature may add to an integral over the time; larger: less exact */
+#define PM_INTEGRAL_ROUNDING 1e-13 /* of an integral: less is rounding; larger: less exact, less: looks in vain */
+#define PM_INTEGRAL_ALL 1e-9 /* of the time of the run: so much of it an integral must cover; larger: parts may be missing */
 #define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
 #define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */
 #define PM_STRAND_SOON 4.0 /* steps like the last: a failure so long before a strand ends comes of it; larger: others are told as that */

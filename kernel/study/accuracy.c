@@ -16,6 +16,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "events/ask.h"
 #include "events/event.h"
 #include "events/history.h"
 #include "expression/program_class.h"
@@ -48,8 +49,10 @@ static int create(pm_workspace *w)
     };
 #undef OF_EACH_PASS
     if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
-    for (int i = 0; i < m->nask; i++)
-        e->discrete[i] = (unsigned char)pm_program_class_is_discrete(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
+    for (int i = 0; i < m->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(m, i);
+        e->discrete[i] = !pm_ask_is_integral(row) && pm_program_class_is_discrete(m, row[PM_ASK_PROGRAM]);
+    }
     w->evidence.discrete = e->discrete;
     w->evidence.by_places = pm_path_error_by_places(m);
     return PM_OK;

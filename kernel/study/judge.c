@@ -13,6 +13,7 @@
 
 #include <math.h>
 
+#include "events/ask.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
 #include "state/route.h"
@@ -75,7 +76,9 @@ static void judge_found(const pm_workspace *w, double share, double *error)
                                                fmax(PM_ACCURACY_CLAIMED, resolution) * fabs(found[i]));
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
-        if (e->discrete[i] || w->model->programs.class[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT) continue;
+        if (e->discrete[i] || pm_ask_is_integral(row) ||
+            w->model->programs.class[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT)
+            continue;
         const int out = row[PM_ASK_OUT];
         error[out] = fmax(error[out], resolution * fabs(e->main->out[out]));
     }

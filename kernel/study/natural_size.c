@@ -16,6 +16,8 @@
 #include "elements/trigger.h"
 #include "equations/case.h"
 #include "equations/saddle.h"
+#include "events/ask.h"
+#include "events/integral.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
@@ -137,6 +139,15 @@ static void find_terms(pm_workspace *w, double *terms)
     w->read_measure = read;
 }
 
+/* Of an integral the end says little, and nothing where its program switches: its terms are those of the whole run. */
+static void take_integral(const pm_workspace *w, pm_natural_size *x, int ask)
+{
+    const int summed = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_INTEGRAL;
+    if (w->ask->switches[ask] > 0) x->ask[ask] = x->terms[ask] = 0;
+    if (summed) x->ask[ask] *= w->state.t, x->terms[ask] *= w->state.t;
+    x->terms[ask] = fmax(x->terms[ask], pm_integral_terms(w, ask));
+}
+
 void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, double *trigger)
 {
     const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
@@ -148,5 +159,7 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
     const double part = pm_case_shift(w, &w->probe);
     if (look_at_programs(w, &w->probe, x->ask, x->trigger)) return;
     for (int i = 0; i < nask; i++) x->ask[i] = size_of(x->ask[i], ask[i], part);
+    for (int i = 0; i < nask; i++)
+        if (pm_ask_is_integral(PM_ASK_ROW(w->model, i))) take_integral(w, x, i);
     for (int i = 0; i < ntrigger; i++) x->trigger[i] = size_of(x->trigger[i], trigger[i], part);
 }

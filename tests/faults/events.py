@@ -475,4 +475,46 @@ FAULTS = [
         "pm_chebyshev_series_cut(&c->along.series[i], PM_MOTION_CUT);",
         "",
     ),
+    Fault(
+        "integral: a step is not cut where its value switches",
+        "events/integral.c",
+        "if (x->n < PM_CUTS) x->at[x->n++] = middle.t;",
+        "",
+    ),
+    Fault(
+        "integral: what changes there and back is not looked for",
+        "events/integral.c",
+        "cut_between(w, x, from, middle);",
+        "",
+    ),
+    Fault(
+        "integral: the nodes are enough whatever they leave out",
+        "events/integral.c",
+        "if (!(*error <= allowed(f) * whole)) return 0;",
+        "",
+    ),
+    Fault(
+        "integral: looks are never halved",
+        "events/integral.c",
+        "if (*error <= fmax(absolute, relative * fabs(*sum))) return;",
+        "return;",
+    ),
+    Fault(
+        "integral: a series of flights adds nothing",
+        "events/integral.c",
+        "x->sum += x->leap * time;",
+        "",
+    ),
+    Fault(
+        "integral: a series is passed whatever its last flights tell",
+        "events/integral.c",
+        "return change * time <= open * x->size && of_weight * time <= open;",
+        "return 1;",
+    ),
+    Fault(
+        "integral: the condition takes no time from a mean",
+        "events/integral.c",
+        "e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 1 : x->weight",
+        "e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 1 : x->span",
+    ),
 ]

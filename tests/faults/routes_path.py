@@ -288,4 +288,10 @@ FAULTS = [
         "side > 0 ? 1 : side < 0 ? -1 : 0",
         "side > 0 ? -1 : side < 0 ? 1 : 0",
     ),
+    Fault(
+        "integral: a path has no time to integrate over",
+        "routes/path/path_begin.c",
+        "!w->model->programs.integrals && ",
+        "",
+    ),
 ]

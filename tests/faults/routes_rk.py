@@ -66,4 +66,10 @@ FAULTS = [
         "if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0",
         "(void)0",
     ),
+    Fault(
+        "rk: windows of a step change what the next one integrates",
+        "routes/rk/route_rk.c",
+        "r->ledger = r->next_ledger;",
+        "r->ledger = samples_ledger(&w->result, w->rk);",
+    ),
 ]

@@ -59,11 +59,11 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
     return p->sense != 0;
 }
 
-/* A prescribed rate makes the motion one in time. */
+/* A prescribed rate makes the motion one in time; steps along the path are none that integrals over the time can be made of. */
 int pm_path_applies(const pm_workspace *w)
 {
-    return w->model->programs.forces_by_place && !w->active.asymmetric && !w->numbers.massless &&
-           !w->phase.path_left && !pm_active_set_is_driven(&w->active);
+    return w->model->programs.forces_by_place && !w->model->programs.integrals && !w->active.asymmetric &&
+           !w->numbers.massless && !w->phase.path_left && !pm_active_set_is_driven(&w->active);
 }
 
 /* Against its forces it comes so little far that the differences of energies do not show where it turns. */

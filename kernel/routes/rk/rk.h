@@ -34,7 +34,7 @@ struct pm_rk {
     double next;          /* step to try next, 0: none known */
     int dense_ready, k0_ready;
     pm_energy_level_level level; /* of the energy, where it is kept */
-    int ledger;                  /* the last step integrates the ledger */
+    int ledger, next_ledger;     /* the last step integrates the ledger; the next one does */
     int64_t first;               /* number of the phase's first step */
     int suspect, clear;          /* looks in a row, or nearly, that found it stiff; since the last of them */
     int swift;                   /* accelerations need no frame: tree_small.c */

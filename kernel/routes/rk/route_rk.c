@@ -87,6 +87,7 @@ static int begin(pm_workspace *w)
     r->k0_ready = r->dense_ready = 0;
     r->suspect = r->clear = 0;
     r->first = w->result.count[PM_COUNT_STEPS];
+    r->next_ledger = 1;
     pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
     /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
     if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
@@ -132,7 +133,8 @@ static double longest_step(const pm_workspace *w)
     return w->active.n > 0 ? w->rk->rotation_time : INFINITY;
 }
 
-/* Whether the next step integrates the ledger, and needs reactions for it. */
+/* Whether the next step integrates the ledger, and needs reactions for it.  (Windows of a step are counted as steps, too: what
+ * is said of the next one is kept until then.) */
 static int samples_ledger(const pm_result *result, const struct pm_rk *r)
 {
     return !r->level.kept || (result->count[PM_COUNT_STEPS] - r->first) % PM_RK_LEDGER_STEPS == 0;
@@ -144,7 +146,8 @@ static int last_stage(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
     double *k = r->k + STAGES * r->all;
-    if (samples_ledger(&w->result, w->rk)) return pm_rk_derivative_here(w, r->now, 1, k);
+    r->next_ledger = samples_ledger(&w->result, w->rk);
+    if (r->next_ledger) return pm_rk_derivative_here(w, r->now, 1, k);
     const int status =
         r->swift ? pm_rk_derivative(w, w->state.t, r->now, 0, k) : pm_rk_derivative_here(w, r->now, 0, k);
     const int wanted = !r->swift || is_sampled(w->event, w->ask); /* by set_times */
@@ -220,7 +223,7 @@ static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
     r->t0 = w->state.t;
-    r->ledger = samples_ledger(&w->result, w->rk);
+    r->ledger = r->next_ledger;
     memcpy(r->momentum, r->momentum_now, sizeof r->momentum);
     memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
     if (r->swift) pm_tree_small_refer(&w->frame, w->tree, r->y0);

@@ -281,9 +281,10 @@ static int step(pm_workspace *w, double t_limit)
     w->result.count[PM_COUNT_STEPS]++;
     u->begin = u->end;
     memcpy(u->z0, w->state.z, (size_t)w->model->nz * sizeof(double));
-    u->end = first_contact(w, sampled_end(w, limit));
+    u->end = first_contact(w, pm_zeno_may_leap(u) ? limit : sampled_end(w, limit));
     int status = pm_zeno_leap(w, mark_roots(w->event, w->uniform), u->end, t_limit, &leapt);
     if (status || leapt) return status;
+    if (pm_zeno_may_leap(u)) u->end = first_contact(w, sampled_end(w, limit));
     if (u->nwatched > 0) u->end = first_reversal(w, u->begin, u->end);
     const int struck = mark_roots(w->event, w->uniform);
     if (w->evidence.active) note_decisions(w);

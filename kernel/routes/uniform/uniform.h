@@ -102,6 +102,8 @@ int pm_uniform_resolves(const pm_workspace *w, int contact);
 void pm_zeno_reset(pm_uniform *uniform);
 void pm_zeno_begin(pm_workspace *w);
 void pm_zeno_end(pm_workspace *w, int contact);
+/* Right after a blow of a series that has shown itself. */
+int pm_zeno_may_leap(const pm_uniform *uniform);
 /* If the rest of the series of `contact`, which strikes next after `flight` seconds, can be taken at once before t_limit:
  * w->state goes to its limit. */
 int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, int *taken);

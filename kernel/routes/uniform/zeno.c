@@ -30,6 +30,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
+#include "events/integral.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
@@ -84,6 +85,7 @@ static int is_alike(const pm_frame *frame, const pm_uniform *uniform, const doub
 void pm_zeno_begin(pm_workspace *w)
 {
     pm_series *x = &w->uniform->series;
+    pm_integral_mark(w);
     if (!follows_a_blow(w) ||
         pm_capture_holds(w->model, &w->state)) { /* what a captured pair takes over is not thought through */
         pm_zeno_reset(w->uniform);
@@ -230,7 +232,8 @@ static int observers_are_clear(pm_workspace *w, const pm_rest *r)
         case PM_ASK_AT_MAX: clear = x.rises || x.greatest <= w->ask->best[ask]; break;
         case PM_ASK_MIN:
         case PM_ASK_AT_MIN: clear = x.falls || x.least >= w->ask->best[ask]; break;
-        default: clear = grid_is_clear(&w->numbers, w->ask, e, &x);
+        case PM_ASK_GRID: clear = grid_is_clear(&w->numbers, w->ask, e, &x); break;
+        default: clear = pm_integral_leap_is_clear(w, ask, r->e, r->time);
         }
         if (!clear) return 0;
     }
@@ -331,11 +334,12 @@ static int is_slow(pm_workspace *w, const pm_rest *r)
     return rate <= PM_ZENO_SLOW * w->numbers.speed || w->uniform->series.alike >= PM_ZENO_ENOUGH;
 }
 
+int pm_zeno_may_leap(const pm_uniform *u) { return u->begin == 0 && u->series.alike >= PM_ZENO_ALIKE; }
+
 static int applies(pm_workspace *w, const pm_rest *r, double t_limit)
 {
     const pm_uniform *u = w->uniform;
-    const int observed = u->begin == 0 && u->series.contact == r->contact &&
-                         u->series.alike >= PM_ZENO_ALIKE &&
+    const int observed = pm_zeno_may_leap(u) && u->series.contact == r->contact &&
                          fabs(r->flight - r->e * u->series.flight) <= PM_ZENO_GEOMETRIC * r->flight;
     const pm_model *m = w->model;
     const int asked = m->programs.watch_counts || m->acts || m->nz_controlled > m->nz_work; /* paths */
@@ -387,6 +391,7 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     add_forces(w, &r, q);
     add_blows(w, &r, q, v);
     w->state.t = u->t0 + r.time;
+    pm_integral_leap(w, r.time);
     pm_step_set(&w->step, w->state.t, w->state.t);
     w->result.count[PM_COUNT_JUMPS]++;
     pm_trigger_countless_strikes(w, contact);

@@ -10,13 +10,13 @@ from ..base.arrays import Floats
 from ..base.errors import SceneError, nearest
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..language.dimensions import DIMENSIONLESS, Dimension
+from ..language.dimensions import DIMENSIONLESS, TIME, Dimension
 from ..language.leaves import names
 from ..language.parser import parse
-from ..language.tree import Name
+from ..language.tree import ONE, ZERO, Name, is_condition, select
 from ..language.units import factor
 from ..model.readers import Value
-from ..model.tables import Ask, At, Grid
+from ..model.tables import ASK_INTEGRALS, Ask, At, Grid
 from ..model.words import unknown
 from .events import firing
 from .grids import grid_nodes, read_grid
@@ -25,6 +25,12 @@ from .measures import Measures, Reading
 # Columns of an answer "each EVENT" where nothing says how often the event fires, and the most of them.
 EACH_FIRINGS = 64
 MOST_FIRINGS = 100_000
+
+_OVER_TIME = {
+    "integral": layout.PM_ASK_INTEGRAL,
+    "mean": layout.PM_ASK_MEAN,
+    "rms": layout.PM_ASK_RMS,
+}
 
 
 @dataclass(frozen=True)
@@ -79,10 +85,13 @@ class Asks:
     def add(self, key: str, ask: Ask) -> None:
         """Adds the row of one ask and its column.  Raises SceneError for a wrong unit or instant."""
         path = f"ask.{key}"
-        word = next(one for one in ("of", "max", "min") if getattr(ask, one) is not None)
+        word = ask.word
         reading = self._read(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
+        if word in ASK_INTEGRALS:
+            reading, row, count = *self._over_time(ask, reading, path), 1
+        else:
+            row, count = self._instant(word, ask.at, f"{path}.at")
         unit, size = _unit(ask.unit, reading.dimension, path)
-        row, count = self._instant(word, ask.at, f"{path}.at")
         row[layout.PM_ASK_PROGRAM] = self.tables.program(reading.node, path)
         row[layout.PM_ASK_OUT] = self._width
         row[layout.PM_ASK_COUNT] = count
@@ -104,6 +113,20 @@ class Asks:
                 reason = f'"{name}" is an ask, and no ask reads another; write its expression in its place'
                 raise SceneError(reason, path=where, value=written)
         return self.measures.lower(written, where)
+
+    def _over_time(self, ask: Ask, reading: Reading, path: str) -> tuple[Reading, dict[int, int]]:
+        """What is asked of an expression all along, and its row: 0 where its condition does not hold."""
+        row = _row(_OVER_TIME[ask.word])
+        dimension = reading.dimension * TIME if ask.word == "integral" else reading.dimension
+        if ask.during is None:
+            return Reading(reading.node, dimension), row
+        where = f"{path}.during"
+        if not is_condition(parse(ask.during, where=where)):
+            reason = 'a condition is wanted, such as "t < (2 s)"'
+            raise SceneError(reason, path=where, value=ask.during)
+        condition = self._read(ask.during, where)
+        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(select(condition.node, ONE, ZERO), where)
+        return Reading(select(condition.node, reading.node, ZERO), dimension), row
 
     def _instant(self, word: str, at: str | At | None, where: str) -> tuple[dict[int, int], int]:
         """The row's kind and instant, and the number of values."""

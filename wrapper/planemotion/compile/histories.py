@@ -12,7 +12,7 @@ from ..geometry.packing import Tables
 from ..language.address import Address
 from ..language.leaves import names
 from ..language.parser import parse
-from ..model.tables import Ask
+from ..model.tables import ASK_WORDS, Ask
 from .elements import CouplingInfo
 from .measure_rows import Scope
 from .measures import Measures
@@ -109,7 +109,7 @@ def _is_velocity(address: str) -> bool:
 
 def _addresses(ask: Ask) -> Iterator[Address]:
     """What an ask reads."""
-    for written in (ask.of, ask.max, ask.min):
+    for written in (*(getattr(ask, word) for word in ASK_WORDS), ask.during):
         if isinstance(written, str):
             yield from (leaf for leaf in names(parse(written, where="ask")) if isinstance(leaf, Address))
 

@@ -217,6 +217,13 @@ def norm(x: Node | float, y: Node | float) -> Node:
     return call("norm", x, y)
 
 
+def is_condition(node: Node) -> bool:
+    """Whether it is 1 or 0 as a comparison holds, or several of them together."""
+    if isinstance(node, Unary):
+        return node.operator == "not"
+    return isinstance(node, Binary) and RANK[node.operator] <= COMPARISON_RANK
+
+
 def select(condition: Node | float, then: Node | float, otherwise: Node | float) -> Node:
     """`then` where the condition is not 0, else `otherwise` (no word of the scene language: for
     composing)."""

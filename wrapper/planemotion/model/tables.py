@@ -199,20 +199,38 @@ class Event(Table):
     nth: Annotated[int, Field(strict=True, le=MOST_COUNT)] | None = None
 
 
+# What an ask takes of an expression: its value at an instant, an extreme over the run, or all of its course.
+ASK_EXTREMES = ("max", "min")
+ASK_INTEGRALS = ("integral", "mean", "rms")
+ASK_WORDS = ("of", *ASK_EXTREMES, *ASK_INTEGRALS)
+
+
 class Ask(Table):
-    """`of` an expression `at` an instant, or the extreme `max` or `min` of one over the run."""
+    """`of` an expression `at` an instant, the extreme `max` or `min` of one, or what it does over the time.
+
+    `integral`, `mean` and `rms` are those of the time in which the condition `during` holds."""
 
     of: Number | None = None
     max: Number | None = None
     min: Number | None = None
+    integral: Number | None = None
+    mean: Number | None = None
+    rms: Number | None = None
+    during: Text | None = None
     at: Annotated[str | At, BeforeValidator(read_at)] | None = None
     unit: Text | None = None
     run: Text | None = None
 
     @property
+    def word(self) -> str:
+        """Which of ASK_WORDS is given; of a checked ask it is one."""
+        return next(word for word in ASK_WORDS if getattr(self, word) is not None)
+
+    @property
     def text(self) -> str:
         """What was asked, for people: "max hoop.omega", "-sphere.omega at before strike 1"."""
-        words = [("", self.of), ("max ", self.max), ("min ", self.min)]
+        words = [("" if word == "of" else f"{word} ", getattr(self, word)) for word in ASK_WORDS]
+        words.append(("during ", self.during))
         if isinstance(self.at, At):
             words += [("at max ", self.at.max), ("at min ", self.at.min), ("at each ", self.at.each)]
         else:

@@ -17,7 +17,7 @@ from ..base.errors import Faults, SceneError
 from ..kinds import KINDS
 from ..model import words
 from ..model.element import Kind, Table
-from ..model.tables import DEFAULT_G, Ask, At, Contact, Find
+from ..model.tables import ASK_EXTREMES, ASK_INTEGRALS, ASK_WORDS, DEFAULT_G, Ask, At, Contact, Find
 from .advice import advice
 from .check import check, kind_of
 from .renamed import renewed
@@ -234,16 +234,21 @@ def _check_law(contact: Contact, path: str) -> None:
 
 
 def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
-    given = [key for key in ("of", "max", "min") if getattr(ask, key) is not None]
+    given = [key for key in ASK_WORDS if getattr(ask, key) is not None]
     if len(given) != 1:
-        raise SceneError(
-            "one of of, max, min is wanted" + (f", not {' and '.join(given)}" if given else ""), path=path
-        )
-    if given[0] != "of" and ask.at is not None:
+        wanted = f"one of {', '.join(ASK_WORDS)} is wanted"
+        raise SceneError(wanted + (f", not {' and '.join(given)}" if given else ""), path=path)
+    if given[0] in ASK_EXTREMES and ask.at is not None:
         raise SceneError(
             f"an extreme over the run has no instant; write of = ..., at = {{ {given[0]} = ... }}",
             path=f"{path}.at",
         )
+    if given[0] in ASK_INTEGRALS and ask.at is not None:
+        reason = f'"{given[0]}" is over the time of the run; during = "t < (2 s)" takes a part of that'
+        raise SceneError(reason, path=f"{path}.at")
+    if given[0] not in ASK_INTEGRALS and ask.during is not None:
+        reason = f"it goes with {', '.join(ASK_INTEGRALS)}, not with {given[0]}"
+        raise SceneError(reason, path=f"{path}.during", value=ask.during)
     if isinstance(ask.at, At):
         kinds = [key for key in ("max", "min", "each") if getattr(ask.at, key) is not None]
         if len(kinds) != 1 or (kinds == ["each"]) != (ask.at.values is not None):

@@ -1,0 +1,277 @@
+/* integral.c - each step adds its part: by the polynomial through its nodes where that resolves the value, else by Gauss-Kronrod
+ * quadrature of looks.
+ *
+ * Where a switch of the program changes (program.h) the value has a corner or jumps: the step is cut there, and each piece is
+ * smooth.  The windows of a step (step_window.h) see to it that between two nodes no switch changes twice. */
+#include "events/integral.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <string.h>
+
+#include "events/ask.h"
+#include "events/step.h"
+#include "events/watched_samples.h"
+#include "numerics/bracket.h"
+#include "numerics/chebyshev.h"
+#include "numerics/tolerances.h"
+#include "state/arena.h"
+#include "state/evidence.h"
+#include "state/workspace.h"
+
+#define INTERVALS 200 /* of one adaptive quadrature */
+#define PM_CUTS 256   /* of one step, at the most: what is left is smooth no more, and needs more looks */
+
+static void quadrature_free(void *quadrature) { gsl_integration_workspace_free(quadrature); }
+
+int pm_integral_create(pm_workspace *w)
+{
+    pm_ask_set *a = w->ask;
+    const pm_array array[] = {PM_ARRAY(a->integral, w->model->nask)};
+    a->quadrature = gsl_integration_workspace_alloc(INTERVALS);
+    if (pm_arena_keep(&w->memory, a->quadrature, quadrature_free)) return PM_NO_MEMORY;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
+}
+
+void pm_integral_reset(pm_workspace *w)
+{
+    memset(w->ask->integral, 0, (size_t)w->model->nask * sizeof *w->ask->integral);
+}
+
+/* ---- one program over a piece of the step ---- */
+typedef struct pm_integrand {
+    pm_workspace *w;
+    int program, squared;
+    const double *sample; /* at the nodes, squared if that is wanted */
+    double size;          /* greatest of its size so far */
+} pm_integrand;
+
+static double at(double t, void *context)
+{
+    const pm_integrand *f = context;
+    const double value = pm_ask_look(f->w, t, 0) ? NAN : pm_ask_value(f->w, f->program);
+    return f->squared ? value * value : value;
+}
+
+/* What may be wrong with the integral over a second. */
+static double allowed(const pm_integrand *f) { return PM_INTEGRAL_ERROR * f->w->numbers.tolerance * f->size; }
+
+/* Through all nodes; 0 if the polynomial does not resolve it so well. */
+static int by_nodes(const pm_integrand *f, double to, double *sum, double *error)
+{
+    const pm_step *s = &f->w->step;
+    const double whole = s->sampled_end - s->begin;
+    if (!pm_chebyshev_nodes_spectral(s->nodes)) return 0;
+    *error = pm_chebyshev_high(s->nodes, f->sample) * whole;
+    if (!(*error <= allowed(f) * whole)) return 0;
+    *sum = whole * (to == s->sampled_end
+                        ? pm_chebyshev_whole(s->nodes, f->sample)
+                        : pm_chebyshev_integral(s->nodes, f->sample, 1, (to - s->begin) / whole));
+    return 1;
+}
+
+/* By looks inside of (from, to): once, and if that is not enough of halves of it, and halves of these. */
+static void by_looks(pm_integrand *f, double from, double to, double *sum, double *error)
+{
+    double size, range;
+    gsl_function g = {at, f};
+    const double relative = fmax(PM_INTEGRAL_ERROR * f->w->numbers.tolerance, PM_INTEGRAL_ROUNDING);
+    const double absolute = allowed(f) * (to - from);
+    gsl_integration_qk15(&g, from, to, sum, error, &size, &range);
+    if (*error <= fmax(absolute, relative * fabs(*sum))) return;
+    gsl_integration_qag(&g, from, to, absolute, relative, INTERVALS, GSL_INTEG_GAUSS21, f->w->ask->quadrature,
+                        sum, error);
+}
+
+static void over_piece(pm_integrand *f, double from, double to, int uncut, double *sum, double *error)
+{
+    double more, off;
+    if (!uncut || !by_nodes(f, to, &more, &off)) by_looks(f, from, to, &more, &off);
+    *sum += more;
+    *error += off;
+}
+
+/* ---- where the program switches ---- */
+/* The arguments of its switches at a place: 0 where one has been found to change. */
+typedef struct pm_integral_place {
+    double t, arg[PM_SWITCHES];
+} pm_integral_place;
+
+/* The places inside a step where one of the n switches changes. */
+typedef struct pm_integral_cuts {
+    int program, nswitch, n;
+    double at[PM_CUTS];
+    int changing; /* the switch that is looked for */
+    pm_switches here;
+} pm_integral_cuts;
+
+static double argument(void *of, double t, void *context)
+{
+    pm_integral_cuts *x = context;
+    if (pm_ask_look(of, t, 0)) return NAN;
+    pm_watched_samples_here(of, x->program, &x->here);
+    return x->here.arg[x->changing][0];
+}
+
+static int changes(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
+
+/* A switch that changes between two places, at `middle`; one that does so on one of them is on its zero there.  0: none does. */
+static int find_change(pm_workspace *w, pm_integral_cuts *x, pm_integral_place *from, pm_integral_place *to,
+                       pm_integral_place *middle)
+{
+    for (int i = 0; i < x->nswitch; i++) {
+        if (!changes(from->arg[i], to->arg[i])) continue;
+        x->changing = i;
+        const int end = pm_bracket_find(w->ask->solver, argument, w, x, from->t, from->arg[i], to->t,
+                                        to->arg[i], &middle->t);
+        if (end == PM_SEARCH_NO_NUMBER) continue;
+        if (middle->t > from->t && middle->t < to->t) {
+            (void)argument(w, middle->t, x);
+            for (int k = 0; k < x->nswitch; k++) middle->arg[k] = k == i ? 0 : x->here.arg[k][0];
+            return 1;
+        }
+        (middle->t <= from->t ? from : to)->arg[i] = 0;
+    }
+    return 0;
+}
+
+/* Between two places: in order.  What changes there and back, as abs does to what it is compared with, shows where another
+ * switch changes in between. */
+static void cut_between(pm_workspace *w, pm_integral_cuts *x, pm_integral_place from, pm_integral_place to)
+{
+    pm_integral_place middle;
+    if (x->n == PM_CUTS || !find_change(w, x, &from, &to, &middle)) return;
+    cut_between(w, x, from, middle);
+    if (x->n < PM_CUTS) x->at[x->n++] = middle.t;
+    cut_between(w, x, middle, to);
+}
+
+static void place_node(const pm_step *step, const pm_switches *at_nodes, int node, pm_integral_place *place)
+{
+    place->t = pm_step_node(step, node);
+    for (int i = 0; i < at_nodes->n; i++) place->arg[i] = at_nodes->arg[i][node];
+}
+
+/* Those of the samples, nodes on which a switch is zero among them. */
+static void find_cuts(pm_workspace *w, int ask, pm_integral_cuts *x)
+{
+    pm_switches at_nodes = {.sign = NULL};
+    pm_integral_place from, to;
+    double value[PM_NODES_MOST];
+    x->n = 0;
+    x->here.sign = NULL;
+    if (w->ask->switches[ask] == 0) return;
+    x->program = pm_ask_program(PM_ASK_ROW(w->model, ask));
+    pm_watched_samples_run(w, x->program, &at_nodes, value);
+    x->nswitch = at_nodes.n;
+    place_node(&w->step, &at_nodes, 0, &from);
+    for (int k = 1; k < w->step.nodes->n; k++, from = to) {
+        int on_zero = 0;
+        place_node(&w->step, &at_nodes, k, &to);
+        cut_between(w, x, from, to);
+        for (int i = 0; i < x->nswitch; i++) on_zero |= to.arg[i] == 0;
+        if (on_zero && x->n < PM_CUTS) x->at[x->n++] = to.t;
+    }
+}
+
+/* ---- a step ---- */
+static int is_squared(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_RMS; }
+
+/* The samples of f, and how large it is. */
+static void read_nodes(pm_workspace *w, int ask, double *sample)
+{
+    pm_integral *x = &w->ask->integral[ask];
+    const double *value = pm_ask_samples(w, ask);
+    const int n = w->step.nodes->n, squared = is_squared(PM_ASK_ROW(w->model, ask));
+    double sum = 0;
+    for (int k = 0; k < n; k++) {
+        sample[k] = squared ? value[k] * value[k] : value[k];
+        if (!isfinite(sample[k])) continue;
+        x->size = fmax(x->size, fabs(sample[k]));
+        sum += fabs(sample[k]);
+    }
+    x->terms += sum / n * (w->step.end - w->step.begin);
+}
+
+int pm_integral_step(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const pm_step *s = &w->step;
+    pm_integral *x = &w->ask->integral[ask];
+    double sample[PM_NODES_MOST], holds[PM_NODES_MOST], from = s->begin, nothing = 0;
+    const int condition = e[PM_ASK_PROGRAM_2];
+    pm_integral_cuts cut;
+    find_cuts(w, ask, &cut);
+    read_nodes(w, ask, sample);
+    if (condition >= 0) pm_watched_samples_run(w, condition, NULL, holds);
+    pm_integrand f = {w, e[PM_ASK_PROGRAM], is_squared(e), sample, x->size}, c = {w, condition, 0, holds, 1};
+    for (int i = 0; i <= cut.n && from < s->end; i++) {
+        const double to = i < cut.n ? fmin(cut.at[i], s->end) : s->end;
+        if (!(to > from)) continue;
+        over_piece(&f, from, to, cut.n == 0, &x->sum, &x->error);
+        if (condition >= 0) over_piece(&c, from, to, cut.n == 0, &x->weight, &nothing);
+        from = to;
+    }
+    if (condition < 0) x->weight += s->end - s->begin;
+    x->span += s->end - s->begin;
+    return PM_OK;
+}
+
+/* ---- the answer ---- */
+/* What the sum is divided by. */
+static double divisor(const pm_integral *x, const int32_t *e)
+{
+    return e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 1 : x->weight;
+}
+
+double pm_integral_answer(pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const pm_integral *x = &w->ask->integral[ask];
+    const double mean = x->sum / divisor(x, e), value = is_squared(e) ? sqrt(fmax(mean, 0)) : mean;
+    if (!(fabs(x->span - w->state.t) <= PM_INTEGRAL_ALL * w->state.t) || isnan(mean)) return NAN;
+    const double error = x->error / divisor(x, e);
+    pm_evidence_more(&w->evidence, e[PM_ASK_OUT], is_squared(e) ? sqrt(mean + error) - sqrt(mean) : error);
+    return value;
+}
+
+double pm_integral_terms(const pm_workspace *w, int ask)
+{
+    const int32_t *e = PM_ASK_ROW(w->model, ask);
+    const pm_integral *x = &w->ask->integral[ask];
+    const double terms = divisor(x, e) > 0 ? x->terms / divisor(x, e) : 0;
+    return is_squared(e) ? sqrt(terms) : terms;
+}
+
+/* ---- flights that are passed at once ---- */
+void pm_integral_mark(pm_workspace *w)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        pm_integral *x = &w->ask->integral[w->ask->observer[i]];
+        memmove(x->flight, x->flight + 1, 2 * sizeof *x->flight);
+        x->flight[2] = (pm_integral_at){w->state.t, x->sum, x->weight};
+    }
+}
+
+int pm_integral_leap_is_clear(pm_workspace *w, int ask, double e, double time)
+{
+    pm_integral *x = &w->ask->integral[ask];
+    const pm_integral_at *at = x->flight;
+    const double before = at[1].t - at[0].t, last = at[2].t - at[1].t;
+    x->leap = (at[2].sum - at[1].sum) / last;
+    x->leap_weight = (at[2].weight - at[1].weight) / last;
+    const double change = fabs(x->leap - (at[1].sum - at[0].sum) / before),
+                 of_weight = fabs(x->leap_weight - (at[1].weight - at[0].weight) / before);
+    const double open = PM_INTEGRAL_ERROR * w->numbers.tolerance * w->state.t * (1 - e);
+    return change * time <= open * x->size && of_weight * time <= open;
+}
+
+void pm_integral_leap(pm_workspace *w, double time)
+{
+    for (int i = 0; i < w->ask->nobserver; i++) {
+        pm_integral *x = &w->ask->integral[w->ask->observer[i]];
+        x->sum += x->leap * time;
+        x->weight += x->leap_weight * time;
+        x->span += time;
+    }
+}
