@@ -72,7 +72,7 @@ enum pm_status {
 
 /* ---- asks --------------------------------------------------------------------------------------------------- */
 enum pm_ask_kind {
-    PM_ASK_END = 0,   /* program at the end of the run, after its jump */
+    PM_ASK_END = 0, /* program at the end of the run, after its jump; it may read answers of asks before it */
     PM_ASK_EVENT = 1, /* program at the nth firing of an event, before or after its jump */
     PM_ASK_MAX = 2,   /* greatest value of program over the run */
     PM_ASK_MIN = 3,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "equations/shared_reading.h"
+#include "events/derived.h"
 #include "events/event.h"
 #include "events/integral.h"
 #include "events/step.h"
@@ -115,8 +116,12 @@ void pm_ask_answer(pm_workspace *w, int ask, int column, int program, double val
 {
     const pm_route_ops *route = w->phase.route;
     answer(w, ask, column, unique(w, ask, program, value));
-    if (route->error_of)
-        route->error_of(w, ask, PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column, program, value);
+    const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
+    if (!route->error_of) return;
+    if (!pm_derived_is(w->model, program))
+        route->error_of(w, ask, out, program, value);
+    else if (w->evidence.active)
+        pm_evidence_answer(&w->evidence, out, pm_derived_error(w, program, value));
 }
 
 int pm_ask_program(const int32_t *e)
@@ -291,6 +296,9 @@ void pm_ask_end(pm_workspace *w)
         if (filled && undefined && !each) w->result.reason[i] = PM_REASON_UNDEFINED;
         if (filled && undefined && w->ask->shared[i]) w->result.reason[i] = PM_REASON_SHARED;
         if (is_cut(w, i)) w->result.reason[i] = PM_REASON_CUT;
+        const int missing =
+            e[PM_ASK_KIND] == PM_ASK_END ? pm_derived_reason(w, e[PM_ASK_PROGRAM]) : PM_REASON_NONE;
+        if (missing != PM_REASON_NONE) w->result.reason[i] = missing;
     }
 }
 

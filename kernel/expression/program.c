@@ -101,7 +101,6 @@ void pm_program_numbers(pm_workspace *w)
     w->numbers.is_folded = 1;
 }
 
-/* Answers may be read only when a run has ended. */
 static int is_of_find(const pm_model *m, int program)
 {
     for (int i = 0; i < m->rows[PM_TABLE_FIND]; i++)
@@ -109,6 +108,20 @@ static int is_of_find(const pm_model *m, int program)
     for (int i = 0; i < m->rows[PM_TABLE_CONDITION]; i++)
         if (PM_CONDITION_ROW(m, i)[PM_CONDITION_PROGRAM] == program) return 1;
     return 0;
+}
+
+/* How many answers are there when the program is run: none before a run has ended, all of them for a find. */
+static int answered_before(const pm_model *m, int program)
+{
+    if (is_of_find(m, program)) return m->nout;
+    int least = 0;
+    for (int i = m->nask; i-- > 0;) {
+        const int32_t *e = PM_ASK_ROW(m, i);
+        const int reads = e[PM_ASK_PROGRAM] == program || e[PM_ASK_PROGRAM_2] == program;
+        if (reads) least = e[PM_ASK_KIND] == PM_ASK_END ? e[PM_ASK_OUT] : 0;
+        if (reads && least == 0) return 0;
+    }
+    return least;
 }
 
 static int validate_one(const pm_model *m, int index, int first_value_allowed, pm_where *where)
@@ -123,7 +136,7 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
         [PM_OP_PARAMETER] = m->nparam,
         [PM_OP_VALUE] = first_value_allowed,
         [PM_OP_MEASURE] = is_value ? 0 : m->rows[PM_TABLE_MEASURE],
-        [PM_OP_ANSWER] = !is_value && is_of_find(m, index) ? m->nout : 0,
+        [PM_OP_ANSWER] = is_value ? 0 : answered_before(m, index),
     };
     int depth = 0;
     for (int i = first; i < first + length; i++) {

@@ -40,6 +40,8 @@
 #define PM_PATH_FORM_TAIL 1e-8 /* tail of T at nodes that resolve it; more: places of rest are missed */
 #define PM_PATH_SPEED_TAIL \
     1e-6 /* tail of the speed where triggers watch it; more: dips over a barrier are missed */
+#define PM_PATH_TURNS_SOON 0.1 /* of a step: so close behind its end the motion comes to rest; larger: more steps */
+#define PM_PATH_SHORT_OF_TURN 0.6 /* of such a step: the one that is tried instead, more than a half; larger: it is shortened again */
 #define PM_PATH_LENGTHEN 2.0 /* of a step that was resolved: the next one; more: more halvings */
 #define PM_PATH_TIME_TAIL \
     30 /* of the tolerance: tail of dt/du, whose integral is 1000 times better; more: less exact times */

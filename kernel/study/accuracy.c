@@ -44,8 +44,8 @@ static int create(pm_workspace *w)
         OF_EACH_PASS(more, m->nout),      OF_EACH_PASS(extreme, 2 * ntrigger),
         OF_EACH_PASS(reason, m->nask),    OF_EACH_PASS(log.entry, kept),
         PM_ARRAY(e->size.ask, m->nask),   PM_ARRAY(e->size.trigger, ntrigger),
-        PM_ARRAY(e->size.terms, m->nask), PM_ARRAY(e->kept, m->nout),
-        PM_ARRAY(e->discrete, m->nask),
+        PM_ARRAY(e->size.terms, m->nask), PM_ARRAY(e->size.largest, m->nask),
+        PM_ARRAY(e->kept, m->nout),       PM_ARRAY(e->discrete, m->nask),
     };
 #undef OF_EACH_PASS
     if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;

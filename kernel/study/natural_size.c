@@ -17,6 +17,7 @@
 #include "equations/case.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
+#include "events/derived.h"
 #include "events/integral.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
@@ -148,6 +149,17 @@ static void take_integral(const pm_workspace *w, pm_natural_size *x, int ask)
     x->terms[ask] = fmax(x->terms[ask], pm_integral_terms(w, ask));
 }
 
+/* Asks that read others, which stand before them. */
+static void add_derived(pm_workspace *w, pm_natural_size *x)
+{
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *e = PM_ASK_ROW(w->model, i);
+        if (e[PM_ASK_KIND] == PM_ASK_END && pm_derived_is(w->model, e[PM_ASK_PROGRAM]))
+            x->terms[i] += pm_derived_terms(w, e[PM_ASK_PROGRAM], x->largest);
+        x->largest[i] = fmax(x->ask[i], x->terms[i]);
+    }
+}
+
 void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, double *trigger)
 {
     const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
@@ -161,5 +173,6 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
     for (int i = 0; i < nask; i++) x->ask[i] = size_of(x->ask[i], ask[i], part);
     for (int i = 0; i < nask; i++)
         if (pm_ask_is_integral(PM_ASK_ROW(w->model, i))) take_integral(w, x, i);
+    add_derived(w, x);
     for (int i = 0; i < ntrigger; i++) x->trigger[i] = size_of(x->trigger[i], trigger[i], part);
 }

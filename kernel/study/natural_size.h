@@ -7,6 +7,7 @@
 typedef struct pm_natural_size {
     double *ask;     /* [nask] what it would change by if the state changed by its own size */
     double *terms;   /* [nask] the same, of all that it reads by the greatest of their kinds in the run */
+    double *largest; /* [nask] the greater of both */
     double *trigger; /* [ntrigger] as ask */
 } pm_natural_size;
 

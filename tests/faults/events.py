@@ -517,4 +517,16 @@ FAULTS = [
         "e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 1 : x->weight",
         "e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 1 : x->span",
     ),
+    Fault(
+        "derived: errors of answers are lost in those made of them",
+        "events/derived.c",
+        "sum += change(w, program, value, f->step[k].arg, error[f->step[k].arg]);",
+        "",
+    ),
+    Fault(
+        "derived: what is not reached has no reason in what is made of it",
+        "events/derived.c",
+        "if (reason != PM_REASON_NONE) return reason;",
+        "",
+    ),
 ]

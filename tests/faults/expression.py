@@ -81,4 +81,10 @@ FAULTS = [
         "kind == PM_MEASURE_MASS ||",
         "kind != PM_MEASURE_TIME ||",
     ),
+    Fault(
+        "answers are read before they are there",
+        "expression/program.c",
+        "least = e[PM_ASK_KIND] == PM_ASK_END ? e[PM_ASK_OUT] : 0;",
+        "least = m->nout;",
+    ),
 ]

@@ -294,4 +294,10 @@ FAULTS = [
         "!w->model->programs.integrals && ",
         "",
     ),
+    Fault(
+        "path: steps end right before a turning point again and again",
+        "routes/path/path_step.c",
+        "turns_soon ? PM_PATH_SHORT_OF_TURN : 0.5",
+        "turns_soon ? 0.5 : 0.5",
+    ),
 ]

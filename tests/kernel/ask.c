@@ -299,8 +299,49 @@ static void extremes_at_a_blow(void)
     scene_free(s);
 }
 
+/* Answers that are made of others: their reasons, and on a path their errors. */
+static void asks_of_asks(void)
+{
+    swing x = released();
+    scene *s = x.s;
+    const int back = scene_when(s, PM_TRIGGER_CROSS, scene_read(s, x.omega));
+    const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, x.turned, -0.5 * PI));
+    scene_until(s, back, 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_AUTO;
+    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    scene_set(s, PM_SETTING_ACCURACY, 1e-6);
+    const scene_code half = {PM_OP_ANSWER, scene_ask_measure(s, x.time)};
+    const scene_code quarter = {PM_OP_ANSWER, scene_ask_event(s, scene_read(s, x.time), low, 1, 0)};
+    const scene_code never = {PM_OP_ANSWER, scene_ask_event(s, scene_read(s, x.time), low, 2, 0)};
+    const int off = scene_ask_end(
+        s, SCENE_PROGRAM(s, half, scene_k(s, 0.5), scene_op(PM_OP_MUL), quarter, scene_op(PM_OP_SUB)));
+    const int open = scene_ask_end(s, SCENE_PROGRAM(s, never, quarter, scene_op(PM_OP_SUB)));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->count[PM_COUNT_ROUTES], 1 << PM_ROUTE_PATH);
+    NEAR(s->out[off], 0, 1e-6);
+    CHECK(fabs(s->out[off]) <= s->error[off]);
+    CHECK(s->error[off] >= 0.5 * s->error[quarter.arg] && s->error[off] < 1e-5);
+    CHECK(isnan(s->out[open]));
+    EQUAL(s->reason[4], PM_REASON_NOT_REACHED);
+    scene_free(s);
+}
+
+/* None is read before it is there. */
+static void no_ask_of_a_later_one(void)
+{
+    swing x = released();
+    scene *s = x.s;
+    scene_ask_end(s, SCENE_PROGRAM(s, ((scene_code){PM_OP_ANSWER, 1})));
+    scene_ask_measure(s, x.time);
+    scene_until_time(s, 1);
+    EQUAL(scene_run(s, NULL), PM_BAD_TABLE);
+    scene_free(s);
+}
+
 int main(void)
 {
+    asks_of_asks();
+    no_ask_of_a_later_one();
     extremes_of_a_swing();
     grid_over_angle();
     grid_beyond_end(PM_ROUTE_PATH);

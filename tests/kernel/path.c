@@ -674,6 +674,24 @@ static void extremes_in_long_steps(void)
     CHECK(covered >= 0.97 * asks);
 }
 
+/* Let go level, or nearly so, the first step ends half way to the turning point, and steps of that length right before it: it is
+ * met in few steps, and in time. */
+static void turns_behind_a_step(void)
+{
+    for (int i = 0; i < 26; i++) {
+        const double angle = i == 0 ? 0 : (i % 2 ? 1 : -1) * pow(10, -12 + 0.5 * (double)((i - 1) / 2 * 2));
+        scene *s = scene_create();
+        const int b = pendulum_rod(s, angle);
+        scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega_of(s, b))), 1);
+        const int half = scene_ask_measure(s, scene_time(s));
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+        EQUAL(scene_run(s, NULL), PM_OK);
+        CHECK(s->count[PM_COUNT_STEPS] <= 8);
+        NEAR(s->out[half], 2 * sqrt(PACE) * complete(cos(0.5 * (0.5 * PI + angle))), 1e-12);
+        scene_free(s);
+    }
+}
+
 /* A rod let go level strikes a table, 0.8 of its length below: it is fastest right before the blow, inside a step. */
 static void extreme_before_a_blow(void)
 {
@@ -693,6 +711,7 @@ static void extreme_before_a_blow(void)
 int main(void)
 {
     extreme_before_a_blow();
+    turns_behind_a_step();
     extremes_in_long_steps();
     accelerations();
     tells_on_itself();

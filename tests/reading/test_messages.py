@@ -156,10 +156,7 @@ FAULTS = [
         'ask.a = { of = "AB.omega", at = "before t = 0.1 s" }',
         'a condition gets a name: events.NAME = "t = 0.1 s", then at = "NAME"',
     ),
-    (
-        'ask.a = "AB.omega"\nask.b = "2*a"',
-        'ask.b = "2*a": "a" is an ask, and no ask reads another; write its expression in its place',
-    ),
+    ('ask.a = "2*b"\nask.b = "2*a"', "ask.a: it reads itself: a reads b reads a"),
     ('ask.a = { max = "AB.omega" }\nask.b = { min = "a" }', 'ask.b.min = "a": "a" is an ask'),
     ('ask.a = { of = "AB.omega", run = "b" }', 'ask.a.run: unknown run "b"; there is none'),
     (

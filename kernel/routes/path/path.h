@@ -119,6 +119,7 @@ typedef struct pm_path {
     int node_driver; /* driver and sense of the step in the nodes */
     double node_sense;
     int repeats; /* the phase that has been planned begins like the one step in the nodes, but for a shift */
+    int halved;  /* the step in the nodes is not taken: a part of it is tried */
     int filled;  /* the nodes hold the places of a step of length h already */
     double *inertia; /* [nbody] of the phase on an open tree */
     pm_bridge bridge;

@@ -238,15 +238,27 @@ static void end_at_rest(pm_path *p)
     p->node[PM_NODES_MOST - 1].kinetic = 0;
 }
 
+/* Half the step; more of it if the motion would come to rest right behind its end, so that this place is inside the next step
+ * and not right behind all that follow, each half as long as the one before. */
+static double shorter(const pm_path *p)
+{
+    const pm_place *end = &p->node[PM_NODES_MOST - 1];
+    const int turns_soon = end->kinetic > 0 && end->force * p->sense < 0 &&
+                           end->kinetic < PM_PATH_TURNS_SOON * fabs(end->force) * p->h;
+    return (turns_soon ? PM_PATH_SHORT_OF_TURN : 0.5) * p->h;
+}
+
 /* Is the filled step one that can be taken?  *next is a shorter one to try instead, or 0. */
 static int judge(pm_workspace *w, int reverses, double *next)
 {
     pm_path *p = w->path;
     const int half = p->every > 1 || p->h > p->safe; /* else what is not smooth is sampled as it is */
+    const double less = shorter(p);
     *next = 0;
+    p->halved = 0;
     if ((w->model->nz_controlled > 0 && !rates_resolved(w->model, w->path)) || (half && !motion_resolved(p)))
-        *next = 0.5 * p->h;
-    if (!p->at_rest && !reverses && watches_speed(w->model) && !speed_resolved(p)) *next = 0.5 * p->h;
+        *next = less;
+    if (!p->at_rest && !reverses && watches_speed(w->model) && !speed_resolved(p)) *next = less;
     if (reverses) {
         end_at_rest(p);
     } else if (*next == 0) {
@@ -255,14 +267,17 @@ static int judge(pm_workspace *w, int reverses, double *next)
         if (status) return status;
         if (way < INFINITY) *next = p->at_rest ? 0.5 * way : way; /* each root needs a step of its own */
     }
+    p->halved = *next == less;
     if (*next > 0) return PM_OK;
     const int watched = w->model->programs.read_time || w->record.history;
     const int clock = !watched || p->balanced ? PM_CLOCK_NONE
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : reverses              ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!pm_path_clock_set(p, clock, fmax(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL)))
-        *next = 0.5 * p->h;
+    if (!pm_path_clock_set(p, clock, fmax(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL))) {
+        *next = less;
+        p->halved = 1;
+    }
     return PM_OK;
 }
 
@@ -273,12 +288,13 @@ static int try_step(pm_workspace *w, double h, int reverses, double *next)
     int status = p->filled ? PM_OK : fill(w, h);
     p->filled = 0;
     if (!status) status = judge(w, reverses, next);
-    if (!status && *next == 0.5 * h && p->every > 1) {
+    if (!status && p->halved && p->every > 1) {
         status = fill_between(w);
         if (!status) status = judge(w, reverses, next);
     }
     if (status != PM_SINGULAR && status != PM_ASSEMBLY) return status;
     *next = 0.5 * h;
+    p->halved = 1;
     return PM_OK;
 }
 
@@ -292,13 +308,13 @@ int pm_path_take_step(pm_workspace *w, double full)
         const int status = try_step(w, h, reverses, &next);
         if (status) return status;
         if (next == 0) break;
-        reverses = next != 0.5 * h && !p->at_rest; /* not a halving: the way to a turning point */
+        reverses = !p->halved && !p->at_rest; /* not a halving: the way to a turning point */
         if (reverses && w->numbers.coarse > 1 &&
             next > PM_PATH_PART * full) { /* other steps in a coarse run */
             next *= 0.5;
             reverses = 0;
         }
-        halved |= next == 0.5 * h;
+        halved |= p->halved;
         h = next;
         if (!(h > PM_PATH_SHORTEST * full))
             return pm_fail(&w->result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, h, PM_PATH_SHORTEST * full);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from .. import _layout as layout
@@ -11,9 +11,8 @@ from ..base.errors import SceneError, nearest
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..language.dimensions import DIMENSIONLESS, TIME, Dimension
-from ..language.leaves import names
 from ..language.parser import parse
-from ..language.tree import ONE, ZERO, Name, is_condition, select
+from ..language.tree import ONE, ZERO, is_condition, select
 from ..language.units import factor
 from ..model.readers import Value
 from ..model.tables import ASK_INTEGRALS, Ask, At, Grid
@@ -64,15 +63,11 @@ class Asks:
         reader: Reader,
         tables: Tables,
         firings: int = EACH_FIRINGS,
-        keys: Collection[str] = (),
     ) -> None:
         """`bounds`: how often an event can fire before the run ends, where that is known.
 
-        `keys`: the names of all asks, for messages.
-
         `firings`: how long an answer "each EVENT" may be of any other event."""
         self.firings = firings
-        self.keys = keys
         self.events = events
         self.bounds = bounds
         self.measures = measures
@@ -83,7 +78,10 @@ class Asks:
         self._width = 0
 
     def add(self, key: str, ask: Ask) -> None:
-        """Adds the row of one ask and its column.  Raises SceneError for a wrong unit or instant."""
+        """Adds the row of one ask, behind those that it reads, and its column.
+
+        Raises SceneError for a wrong unit or instant.
+        """
         path = f"ask.{key}"
         word = ask.word
         reading = self._read(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
@@ -105,14 +103,18 @@ class Asks:
         self.dimensions[key] = reading.dimension
         self._width += count
 
+    def answers(self) -> dict[str, Reading]:
+        """What names of asks stand for in asks behind them: answers; a parameter of that name goes first."""
+        return {
+            column.key: Reading(self.tables.answer_leaf(column.first), self.dimensions[column.key])
+            for column in self.columns
+            if not column.is_list and not self.measures.knows(column.key)
+        }
+
     def _read(self, written: Value, where: str) -> Reading:
-        """The expression of an ask.  Raises SceneError, also where it names another ask."""
-        read = {leaf.text for leaf in names(parse(written, where=where)) if isinstance(leaf, Name)}
-        for name in sorted(read.intersection(self.keys)):
-            if not self.measures.knows(name):
-                reason = f'"{name}" is an ask, and no ask reads another; write its expression in its place'
-                raise SceneError(reason, path=where, value=written)
-        return self.measures.lower(written, where)
+        """The expression of an ask."""
+        with self.measures.answered(self.answers()):
+            return self.measures.lower(written, where)
 
     def _over_time(self, ask: Ask, reading: Reading, path: str) -> tuple[Reading, dict[int, int]]:
         """What is asked of an expression all along, and its row: 0 where its condition does not hold."""

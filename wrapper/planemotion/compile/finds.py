@@ -27,7 +27,6 @@ from ..model.tables import Find
 from ..model.words import unknown
 from .asks import Asks
 from .events import firing
-from .measure_rows import Reading
 from .measures import Measures
 
 _HAPPENS = re.compile(r"(.+?)\s+happens")
@@ -93,7 +92,7 @@ class Finds:
         if len(find.where) > _MOST:
             reason = f"{len(find.where)} conditions; at most {_MOST} are possible"
             raise SceneError(reason, path=f"{path}.where")
-        with self.measures.answered(self._answers()):
+        with self.measures.answered(self.asks.answers()):
             conditions = tuple(
                 self._condition(text, find, _place(path, find, index))
                 for index, text in enumerate(find.where)
@@ -127,15 +126,6 @@ class Finds:
         }
         self.tables.add(layout.PM_TABLE_VARY, row, path)
         return low, high
-
-    def _answers(self) -> dict[str, Reading]:
-        """What an ask's name stands for: its answer; a parameter of that name goes first."""
-        known = self.reader.parameters.nodes
-        return {
-            column.key: Reading(self.tables.answer_leaf(column.first), self.asks.dimensions[column.key])
-            for column in self.asks.columns
-            if column.key not in known and not column.is_list
-        }
 
     # ---- conditions ----
 

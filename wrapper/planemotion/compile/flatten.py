@@ -31,6 +31,7 @@ from ..model.tables import Action, Body, Contact
 from ..model.words import IMPACTS, ROUND_SHAPES, SHARED, unknown
 from ..reading.scene import HasData, SceneData
 from .actions import Actions, add_nudge
+from .ask_order import in_order
 from .asks import EACH_FIRINGS, Asked, Asks
 from .bounds import check_bounds
 from .contacts import Contacts
@@ -160,10 +161,11 @@ class _Flattener:
         for name, done in self.actions.items():
             actions.add(self.scope.events[name], done)
         instants.add_until(data.until)
-        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings, data.ask)
+        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings)
         first_run = next(iter(data.runs), None)
         asked = {key: ask for key, ask in data.ask.items() if (ask.run or first_run) == self.run}
-        Faults().make(asked, asks.add)
+        order = in_order(asked, data.ask, self.measures.knows)
+        Faults().make({key: asked[key] for key in order}, asks.add)
         found = None
         if self.find is not None:
             finds = Finds(self.scope.events, asks, self.measures, self.reader, tables)
