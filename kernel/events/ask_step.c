@@ -32,7 +32,6 @@ static int pass_grid_value(pm_workspace *w, int ask, pm_ask_watch *x, int i, int
         pm_fail_search(&w->result, pm_bracket_find(w->ask->solver, pm_ask_along, w, x,
                                                    pm_step_node(&w->step, i), sample[0] - x->minus,
                                                    pm_step_node(&w->step, i + 1), sample[1] - x->minus, &t));
-    if (!status && t > w->step.end) return PM_OK; /* an instant comes before */
     if (!status)
         status =
             pm_bracket_polish(pm_ask_along, exactly, w, x, w->step.begin, w->step.end, NAN, &t, &taken, &off);

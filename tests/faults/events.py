@@ -43,8 +43,8 @@ FAULTS = [
     Fault(
         "ask: a grid value beyond the instant",
         "events/ask_step.c",
-        "if (!status && t > w->step.end) return PM_OK;",
-        "",
+        "if (!status && t <= w->step.end) pm_ask_answer",
+        "if (!status) pm_ask_answer",
     ),
     Fault(
         "ask: grid value of another instant",

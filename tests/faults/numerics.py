@@ -76,12 +76,6 @@ FAULTS = [
         "least = fmin(least, pivot > 0 ? pivot : 1);",
     ),
     Fault(
-        "event: root of samples with a corner",
-        "numerics/tolerances.h",
-        "#define PM_TAIL_RESOLVED 1e-6",
-        "#define PM_TAIL_RESOLVED 1e6",
-    ),
-    Fault(
         "escape: no squaring",
         "numerics/tolerances_routes.h",
         "#define PM_GROWTH_SQUARINGS 60",

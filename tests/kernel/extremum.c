@@ -176,6 +176,27 @@ static void no_value_at_top(int route)
     scene_free(s);
 }
 
+/* At loose accuracies an extreme is not looked for where it makes little difference: what that leaves out is told. */
+static void what_is_left_out_is_told(int route)
+{
+    int off = 0;
+    for (int digits = 2; digits <= 6; digits++) {
+        wheel x = turning(route);
+        const int top = scene_ask_extreme(x.s, PM_ASK_MAX,
+                                          SCENE_PROGRAM(x.s, U, K(1.7), MUL, scene_op(PM_OP_COS)), PM_NONE);
+        scene_set(x.s, PM_SETTING_ACCURACY, pow(10, -digits));
+        *scene_setting(x.s, PM_SETTING_ESTIMATE) = 1;
+        for (int i = 0; i < 10 * PLACES; i++) {
+            const double c = 0.3 + 2.4 * (i + 0.37) / (10 * PLACES);
+            EQUAL(scene_run(x.s, &c), PM_OK);
+            off += 1 - x.s->out[top] > 1e-13;
+            CHECK(fabs(1 - x.s->out[top]) <= x.s->error[top] + 1e-15);
+        }
+        scene_free(x.s);
+    }
+    if (route == PM_ROUTE_PATH) CHECK(off > 0); /* else nothing has been shown */
+}
+
 int main(void)
 {
     for (size_t i = 0; i < sizeof routes / sizeof *routes; i++) {
@@ -199,6 +220,7 @@ int main(void)
         }
         for (int k = 0; k < PARTED; k++) cubic_top(routes[i], parted[k]);
         no_value_at_top(routes[i]);
+        what_is_left_out_is_told(routes[i]);
     }
     return check_failures();
 }
