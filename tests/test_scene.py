@@ -14,7 +14,7 @@ from planemotion import Scene, SceneError, load, load_text
 from planemotion.compile.flatten import flatten
 from planemotion.language.units import registry
 from planemotion.model.readers import Place, Vector
-from planemotion.model.tables import Ask, Grid
+from planemotion.model.tables import Ask, Swept
 from tests import STUDIES
 
 FILES = sorted(STUDIES.glob("*.toml"))
@@ -83,7 +83,7 @@ def test_values_are_brought_into_one_form() -> None:
     assert data.start == {"AB.omega": "1 rad/s", "AB.B.velocity in AB": Vector("0 m/s", 0)}
     assert data.ask["omega"] == Ask(of="AB.omega")
     assert data.bodies["AB"].at == Place((("A", Vector(0, 0)),))
-    assert data.sweep.grids["L"] == Grid.model_validate({"values": ("1 m", "2 m")})
+    assert data.sweep.grids["L"] == Swept.model_validate({"values": ("1 m", "2 m")})
     assert data.sweep.zip == (("L",),)
 
 

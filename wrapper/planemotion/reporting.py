@@ -118,7 +118,10 @@ def _chosen(
     along = max(1, round(most ** (1 / len(dims))))
     index = {dim: _evenly(dataset.sizes[dim], along) for dim in dims}
     held = dict.fromkeys((str(dim) for dim in dataset["status"].dims), 0)
-    sliders = [Slider(dim, [case_values(dataset, {**held, dim: i})[dim] for i in index[dim]]) for dim in dims]
+    sliders = [
+        Slider(dim, [case_values(dataset, {**held, dim: i}).get(dim, str(i + 1)) for i in index[dim]])
+        for dim in dims
+    ]
     places = [
         (place, {**held, **{dim: index[dim][at] for dim, at in zip(dims, place, strict=True)}})
         for place in product(*(range(len(index[dim])) for dim in dims))

@@ -58,6 +58,12 @@ def read_grid(grid: Grid, *, path: str, unit: str = "") -> tuple[str, Floats]:
     )
 
 
+def quantities_in_one_unit(written: Sequence[Value], path: str, unit: str) -> tuple[str, Floats]:
+    """Unit and values [n] of quantities of one kind; `unit` is that of bare numbers."""
+    items = [_quantity(item, path, unit) for item in written]
+    return _in_one_unit(items, [path] * len(items))
+
+
 def _linear(first: float, last: float, num: int) -> Floats:
     """Evenly spaced decimals: the doubles nearest to first + i (last - first)/(num - 1).
 

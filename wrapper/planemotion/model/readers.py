@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 Value: TypeAlias = str | int | float | bool
+_DISTRIBUTIONS = {"uniform", "normal", "lognormal", "triangular"}
 
 
 @dataclass(frozen=True)
@@ -150,15 +151,34 @@ def read_grid(written: Any) -> Any:
     return written
 
 
+def read_numbers(written: Any) -> tuple[Value, ...]:
+    """A list of values."""
+    if not isinstance(written, list | tuple):
+        raise ValueError("a list of values is wanted")
+    return tuple(read_value(one) for one in written)
+
+
+def read_swept(written: Any) -> Any:
+    """A grid, or a table with a distribution."""
+    if not isinstance(written, Mapping) or not _DISTRIBUTIONS.intersection(written):
+        return read_grid(written)
+    if len(_DISTRIBUTIONS.intersection(written)) > 1 or not {*written} <= {*_DISTRIBUTIONS, "within"}:
+        raise ValueError(
+            "one distribution is wanted, such as { normal = [mean, deviation] }, and at most within"
+        )
+    return written
+
+
 def read_sweep(written: Any) -> Any:
-    """Grids by parameter, and `zip` apart."""
+    """Grids by parameter, `zip` and `design` apart."""
     groups = written.get("zip", [])
     lists = isinstance(groups, list | tuple) and all(isinstance(group, list | tuple) for group in groups)
     if not lists or not all(isinstance(name, str) for group in groups for name in group):
         raise ValueError('zip is a list of lists of parameters, such as [["m", "r"]]')
     return {
-        "grids": {name: grid for name, grid in written.items() if name != "zip"},
+        "grids": {name: grid for name, grid in written.items() if name not in ("zip", "design")},
         "zip": tuple(tuple(group) for group in groups),
+        "design": written.get("design"),
     }
 
 

@@ -25,9 +25,11 @@ from .readers import (
     read_friction,
     read_grid,
     read_names,
+    read_numbers,
     read_place,
     read_point,
     read_sequence,
+    read_swept,
     read_value_or_vector,
 )
 
@@ -43,6 +45,8 @@ MOST_COUNT = 2**31 - 1
 # Of a sweep: what the numbers of its cases can hold.
 MOST_CASES = 2**53
 DEFAULT_PAIR_SAMPLES = 8
+# Of a design: as many as a grid may have.
+MOST_DRAWN = 10_000_000
 
 
 class Line(Table):
@@ -163,6 +167,44 @@ class Grid(Table):
 
 GridOf = Annotated[Grid, BeforeValidator(read_grid)]
 
+# What a distribution is given by.
+DISTRIBUTIONS: Mapping[str, tuple[str, ...]] = {
+    "uniform": ("least", "greatest"),
+    "normal": ("mean", "standard deviation"),
+    "lognormal": ("median", "standard deviation of the logarithm"),
+    "triangular": ("least", "most frequent", "greatest"),
+}
+DESIGNS = ("latin", "sobol", "halton", "random")
+Numbers = Annotated[tuple[Value, ...], BeforeValidator(read_numbers)]
+
+
+class Swept(Grid):
+    """The values of a swept parameter: a grid, or a distribution from which the design draws."""
+
+    uniform: Numbers | None = None
+    normal: Numbers | None = None
+    lognormal: Numbers | None = None
+    triangular: Numbers | None = None
+    within: Annotated[tuple[Value, Value], BeforeValidator(read_bounds)] | None = None
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether it has a distribution."""
+        return any(getattr(self, word) is not None for word in DISTRIBUTIONS)
+
+
+SweptOf = Annotated[Swept, BeforeValidator(read_swept)]
+
+
+class Design(Table):
+    """How many cases are drawn from the distributions of a sweep, and by which rule."""
+
+    latin: Annotated[int, Field(strict=True, ge=1, le=MOST_DRAWN)] | None = None
+    sobol: Annotated[int, Field(strict=True, ge=1, le=MOST_DRAWN)] | None = None
+    halton: Annotated[int, Field(strict=True, ge=1, le=MOST_DRAWN)] | None = None
+    random: Annotated[int, Field(strict=True, ge=1, le=MOST_DRAWN)] | None = None
+    seed: Annotated[int, Field(strict=True, ge=0)] = 0
+
 
 class At(Table):
     """An instant that is not an event: where an expression is extreme, or takes given values."""
@@ -281,5 +323,6 @@ class Solve(Table):
 class Sweep(Table):
     """What a study varies: grids by parameter, in their order, and parameters that move together."""
 
-    grids: dict[str, GridOf] = {}
+    grids: dict[str, SweptOf] = {}
+    design: Design | None = None
     zip: tuple[tuple[str, ...], ...] = ()

@@ -46,12 +46,13 @@ def open_sweep(path: Path) -> xr.Dataset:
 
 @dataclass(frozen=True)
 class SweptAxis:
-    """A swept parameter as an axis of the picture."""
+    """A swept parameter as an axis of the picture; `drawn`: by a design, so that its cases are dots."""
 
     name: str
     label: str
     values: Floats
     log: bool
+    drawn: bool = False
 
 
 @dataclass(frozen=True)
@@ -113,10 +114,16 @@ def _coarser(read: Panels, steps: Sequence[int]) -> Panels:
 
 
 def drawn_dims(dataset: xr.Dataset) -> list[str]:
-    """The one or two dimensions that the picture shows, in the order of the study."""
+    """The one or two dimensions that the picture shows, in the order of the study.
+
+    A dimension that is no parameter is that of cases which a design has drawn.
+    """
     dims = [str(dim) for dim in dataset["status"].dims]
     several = [dim for dim in dims if dataset.sizes[dim] > 1]
     longest = sorted(several or dims[:1], key=lambda dim: -dataset.sizes[dim])[:2]
+    drawn = [dim for dim in longest if dim not in str(dataset.attrs["parameters"]).split()]
+    if drawn and min(dataset.sizes[dim] for dim in longest) > FAMILY:
+        return drawn  # what a design has drawn makes no map
     return [dim for dim in dims if dim in longest]
 
 
@@ -126,11 +133,12 @@ def _held(dataset: xr.Dataset) -> list[str]:
 
 
 def _axis(dataset: xr.Dataset, dim: str) -> SweptAxis:
-    values = np.asarray(dataset[dim].values, np.float64)
     along = [str(name) for name in str(dataset.attrs["parameters"]).split() if dataset[name].dims == (dim,)]
-    others = [name for name in along if name != dim]
-    label = _with_unit(dim, dataset[dim]) + (f", moving {', '.join(others)} too" if others else "")
-    return SweptAxis(dim, label, values, _is_logarithmic(values))
+    shown = dim if dim in along else along[0]  # the first of those that a design draws
+    values = np.asarray(dataset[shown].values, np.float64)
+    others = [name for name in along if name != shown]
+    label = _with_unit(shown, dataset[shown]) + (f", moving {', '.join(others)} too" if others else "")
+    return SweptAxis(dim, label, values, _is_logarithmic(values), drawn=shown != dim)
 
 
 def _is_logarithmic(values: Floats) -> bool:

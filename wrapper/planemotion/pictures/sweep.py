@@ -67,7 +67,8 @@ def _curves(axis: SweptAxis, panels: Sequence[Panel], bad: npt.NDArray[np.bool_]
         colours = _colours(len(panel.names) or 1)
         for i, values in enumerate(panel.values.T):
             name = panel.names[i] if panel.names else None
-            _curve(place, axis.values, values, colours[i], name)
+            draw = _dots if axis.drawn else _curve
+            draw(place, axis.values, values, colours[i], name)
         if _is_whole(panel.values) and np.nanmax(panel.values) - np.nanmin(panel.values) <= _STEPS_OF_COLOUR:
             _whole_ticks(place)
         _title(place, panel)
@@ -100,6 +101,11 @@ def _colours(count: int) -> list[Any]:
     if count <= len(CURVES):
         return list(CURVES[:count])
     return list(matplotlib.colormaps["viridis"](np.linspace(0.0, 0.88, count)))
+
+
+def _dots(place: Axes, x: Floats, y: Floats, colour: Any, name: str | None) -> None:
+    """Cases that a design has drawn, y [n] over x [n]: between them there is nothing to follow."""
+    place.plot(x, y, ".", color=colour, label=name, markersize=3.5 if len(x) <= 1000 else 1.5)
 
 
 def _curve(place: Axes, x: Floats, y: Floats, colour: Any, name: str | None) -> None:

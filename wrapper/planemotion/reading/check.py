@@ -13,11 +13,13 @@ from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
 from ..model import words
 from ..model.tables import (
+    DISTRIBUTIONS,
     Action,
     Ask,
     At,
     Body,
     Circle,
+    Design,
     Driven,
     Event,
     Find,
@@ -216,8 +218,10 @@ def _instants(raw: Mapping[str, Any], faults: Faults) -> None:
     for name, ask in words.table(raw, "ask").items():
         _each(faults, _ask, ask, f"ask.{name}")
     for name, grid in words.table(raw, "sweep").items():
-        if name != "zip":
-            _each(faults, _grid, grid, f"sweep.{name}")
+        if name not in ("zip", "design"):
+            _each(faults, _swept, grid, f"sweep.{name}")
+    if isinstance(words.table(raw, "sweep").get("design"), Mapping):
+        _each(faults, _design, raw["sweep"]["design"], "sweep.design")
 
 
 def _event(event: Any, path: str) -> None:
@@ -256,6 +260,17 @@ def _find(find: Any, path: str) -> None:
         reason = 'what is sought is wanted, such as vary = { h = ["0 m", "2 m"] }'
         raise SceneError(reason, path=f"{path}.vary")
     words.mapping(find["vary"], f"{path}.vary")
+
+
+def _swept(swept: Any, path: str) -> None:
+    if isinstance(swept, Mapping):
+        drawn = set(DISTRIBUTIONS).intersection(swept)
+        keys = (*DISTRIBUTIONS, "within") if drawn else Grid.file_keys()
+        _keys(swept, keys, path, "a distribution" if drawn else "a grid")
+
+
+def _design(design: Mapping[str, Any], path: str) -> None:
+    _keys(design, Design.file_keys(), path, "a design")
 
 
 def _grid(grid: Any, path: str) -> None:

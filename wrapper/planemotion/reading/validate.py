@@ -17,7 +17,18 @@ from ..base.errors import Faults, SceneError
 from ..kinds import KINDS
 from ..model import words
 from ..model.element import Kind, Table
-from ..model.tables import ASK_EXTREMES, ASK_INTEGRALS, ASK_WORDS, DEFAULT_G, Ask, At, Contact, Find
+from ..model.tables import (
+    ASK_EXTREMES,
+    ASK_INTEGRALS,
+    ASK_WORDS,
+    DEFAULT_G,
+    DESIGNS,
+    Ask,
+    At,
+    Contact,
+    Find,
+    Sweep,
+)
 from .advice import advice
 from .check import check, kind_of
 from .renamed import renewed
@@ -187,6 +198,25 @@ def _check_more(data: SceneData) -> None:
             raise SceneError("zipped, but it has no grid", path=f"sweep.{name}")
         if zipped.count(name) > 1:
             raise SceneError(f'"{name}" is zipped twice', path="sweep.zip")
+        if data.sweep.grids[name].is_drawn:
+            raise SceneError(f'"{name}" has a distribution; what is drawn moves together', path="sweep.zip")
+    _check_design(data.sweep)
+
+
+def _check_design(sweep: Sweep) -> None:
+    drawn = [name for name, one in sweep.grids.items() if one.is_drawn]
+    if drawn and sweep.design is None:
+        reason = "a distribution needs a design that draws from it, such as sweep.design = { latin = 200 }"
+        raise SceneError(reason, path=f"sweep.{drawn[0]}")
+    if sweep.design is None:
+        return
+    given = [word for word in DESIGNS if getattr(sweep.design, word) is not None]
+    if len(given) != 1:
+        reason = f"one of {', '.join(DESIGNS)} is wanted" + (f", not {' and '.join(given)}" if given else "")
+        raise SceneError(reason, path="sweep.design")
+    if not drawn:
+        reason = 'no parameter has a distribution, such as sweep.m = { uniform = ["1 kg", "2 kg"] }'
+        raise SceneError(reason, path="sweep.design")
 
 
 def _check_spin(data: SceneData) -> None:

@@ -24,7 +24,10 @@ _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
         *(tables.Driven, tables.Spin),
     ),
     "Events and questions": (tables.Event, tables.Action, tables.Ask, tables.At),
-    "Studies and settings": (tables.Find, tables.Sweep, tables.Grid, tables.Solve),
+    "Studies and settings": (
+        *(tables.Find, tables.Sweep, tables.Swept, tables.Design, tables.Grid),
+        tables.Solve,
+    ),
 }
 _ELEMENT_TABLES = (Element, tables.Friction, Bearing)
 _NAMES = {"SceneData": "The file", "Element": "What all elements take", "Bearing": "Friction of a bearing"}

@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 from ..kinds import KINDS
 from ..model import readers
 from ..model.element import Kind, Table
-from ..model.tables import Find, Grid, Sweep
+from ..model.tables import Design, Find, Sweep, Swept
 from ..reading.scene import SceneData
 from .meaning import meaning_of
 
@@ -34,6 +34,7 @@ _PAIR: Schema = {"type": "array", "items": _VALUE, "minItems": 2, "maxItems": 2}
 _BARE: Mapping[Callable[..., Any], list[Schema]] = {
     readers.read_circle: [_VALUE],
     readers.read_grid: [{"type": "array", "items": _VALUE}],
+    readers.read_swept: [{"type": "array", "items": _VALUE}],
     readers.read_friction: [_VALUE],
     readers.read_joint_friction: [_VALUE],
     readers.read_at: [_TEXT],
@@ -43,6 +44,7 @@ _BARE: Mapping[Callable[..., Any], list[Schema]] = {
 # What readers take, whatever their model is.
 _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_value: _VALUE,
+    readers.read_numbers: {"type": "array", "items": _VALUE},
     readers.read_text: _TEXT,
     readers.read_vector: _VECTOR,
     readers.read_value_or_vector: {"anyOf": [_VALUE, _VECTOR]},
@@ -170,8 +172,9 @@ class _Definitions:
     def sweep(self) -> Schema:
         """Grids by parameter, and zip."""
         zipped = _said(Sweep, "zip", {"type": "array", "items": _NAMES})
-        grid = self._read(readers.read_grid, Grid)
-        return {"type": "object", "properties": {"zip": zipped}, "additionalProperties": grid}
+        grid = self._read(readers.read_swept, Swept)
+        properties = {"zip": zipped, "design": _said(Sweep, "design", self.table(Design))}
+        return {"type": "object", "properties": properties, "additionalProperties": grid}
 
     def _object(self, model: type[Table], fields: Mapping[str, FieldInfo]) -> Schema:
         made: Schema = {"type": "object"}

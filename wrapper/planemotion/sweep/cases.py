@@ -71,8 +71,8 @@ class Study:
 
     def _layout(self) -> Layout:
         coordinates = tuple(
-            Coordinate(axis.name, group[0].name, axis.unit, axis.values)
-            for group in self.plan.groups
+            Coordinate(axis.name, dim, axis.unit, axis.values)
+            for (dim, _), group in zip(self.plan.dims, self.plan.groups, strict=True)
             for axis in group
         )
         asks = tuple(ask for _, _, ask in self.asks)

@@ -52,7 +52,7 @@ MESSAGE = "message"
 
 # Names in the result besides those of parameters and asks.
 RESERVED_NAMES = frozenset(
-    {"status", "reason", "message", "route", "run", "run_status", "ask", *TRUST_WORDS.values()}
+    {"case", "status", "reason", "message", "route", "run", "run_status", "ask", *TRUST_WORDS.values()}
     | {f"audit_{word}" for word in AUDIT_WORDS.values()}
 )
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..base.arrays import Floats
 from ..base.errors import SceneError
+from ..compile.designs import draw
 from ..compile.grids import read_grid
 from ..geometry.parameters import Parameters
 from ..language.units import factor, parse_quantity
@@ -20,6 +21,10 @@ from ..reading.scene import SceneData
 
 if TYPE_CHECKING:
     from ..reading.scene import WrittenScene
+
+
+# The dimension of cases that a design has drawn.
+CASE = "case"
 
 
 @dataclass(frozen=True)
@@ -38,9 +43,13 @@ class Axis:
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """The cases of a sweep; `groups` are its dimensions, each with the parameters that move along it."""
+    """The cases of a sweep; `groups` are its dimensions, each with the parameters that move along it.
+
+    `drawn`: the group whose values a design has drawn; its dimension is called `case`.
+    """
 
     groups: tuple[tuple[Axis, ...], ...]
+    drawn: int | None = None
 
     @property
     def axes(self) -> tuple[Axis, ...]:
@@ -52,8 +61,11 @@ class SweepPlan:
 
     @property
     def dims(self) -> tuple[tuple[str, int], ...]:
-        """Name (of its first parameter) and length of each dimension."""
-        return tuple((group[0].name, len(group[0].values)) for group in self.groups)
+        """Name (of its first parameter, or CASE) and length of each dimension."""
+        return tuple(
+            (CASE if i == self.drawn else group[0].name, len(group[0].values))
+            for i, group in enumerate(self.groups)
+        )
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -91,16 +103,24 @@ def _plan(data: SceneData) -> SweepPlan:
     if not data.sweep.grids:
         raise SceneError("nothing to sweep; write for example sweep.d = { from, to, num }", path="sweep")
     dimensions = Parameters(data.parameters).dimensions
-    axes: dict[str, Axis] = {}
+    units = {name: _declared_unit(data.parameters[name]) for name in data.sweep.grids}
+    drawn = {name: one for name, one in data.sweep.grids.items() if one.is_drawn}
+    values = draw(data.sweep.design, drawn, units) if data.sweep.design else {}
     for name, grid in data.sweep.grids.items():
-        unit, values = read_grid(grid, path=f"sweep.{name}", unit=_declared_unit(data.parameters[name]))
+        if name not in drawn:
+            values[name] = read_grid(grid, path=f"sweep.{name}", unit=units[name])
+    axes: dict[str, Axis] = {}
+    for name in data.sweep.grids:
+        unit, numbers = values[name]
         wanted, given = dimensions[name], factor(unit)[1]
         if wanted not in (None, given):
             raise SceneError(
                 f"the grid is of {given.name}, but the parameter is {wanted.phrase}", path=f"sweep.{name}"
             )
-        axes[name] = Axis(name, unit, values)
-    return SweepPlan(tuple(_grouped(axes, data.sweep.zip)))
+        axes[name] = Axis(name, unit, numbers)
+    groups = tuple(_grouped(axes, [*data.sweep.zip, *([tuple(drawn)] if drawn else [])]))
+    at = next((i for i, group in enumerate(groups) if group[0].name in drawn), None)
+    return SweepPlan(groups, at)
 
 
 def _declared_unit(raw: Value) -> str:

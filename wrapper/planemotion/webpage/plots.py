@@ -16,6 +16,8 @@ from ..pictures.panels import Panel, Panels, SweptAxis
 # Values along a side of a map, and runs of neighbours of a curve.
 MAP_CELLS = 300
 _CURVE_PARTS = 1500
+# Cases of a design; more take long to draw.
+_MOST_DOTS = 20_000
 # Curves of so few points show the points as well.
 _FEW_POINTS = 60
 _DIGITS = 9
@@ -47,24 +49,35 @@ def _curves(read: Panels, panel: Panel) -> dict[str, Any]:
 
 
 def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str, Any]:
-    x, y = outline(axis.values, values, _CURVE_PARTS)
+    shown = axis.label if axis.drawn else axis.name
+    if axis.drawn:
+        kept = _evenly(len(axis.values), _MOST_DOTS)
+        x, y, mode = axis.values[kept], values[kept], "markers"
+    else:
+        x, y = outline(axis.values, values, _CURVE_PARTS)
+        mode = "lines+markers" if len(x) <= _FEW_POINTS else "lines"
     return {
         "type": "scatter",
-        "mode": "lines+markers" if len(x) <= _FEW_POINTS else "lines",
+        "mode": mode,
         "name": name,
         "x": _numbers(x),
         "y": _numbers(y),
         "line": {"color": colour, "width": 2},
         "marker": {"size": 5},
         "connectgaps": False,
-        "hovertemplate": f"{axis.name} = %{{x:.6g}}<br>%{{y:.8g}}<extra>{name}</extra>",
+        "hovertemplate": f"{shown} = %{{x:.6g}}<br>%{{y:.8g}}<extra>{name}</extra>",
     }
+
+
+def _evenly(count: int, most: int) -> npt.NDArray[np.int64]:
+    """At most so many of count numbers from 0 on."""
+    return np.linspace(0, count - 1, min(count, most)).round().astype(np.int64)
 
 
 def _bad_cases(axis: SweptAxis, bad: npt.NDArray[np.bool_]) -> dict[str, Any]:
     """Red ticks on the lower edge."""
     x = axis.values[bad]
-    x = x[np.linspace(0, len(x) - 1, min(len(x), _CURVE_PARTS)).round().astype(int)]
+    x = x[_evenly(len(x), _CURVE_PARTS)]
     return {
         "type": "scatter",
         "mode": "markers",
