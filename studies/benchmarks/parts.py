@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from . import agreement, growth, memory, named_studies, stock, summary
+from . import agreement, growth, memory, motion_forces, named_studies, stock, summary
 from .rows import Row
 from .tables import Table
 
@@ -17,6 +17,7 @@ PARTS: dict[str, Part] = {
     "ida_stock": stock.tables,
     "growth": growth.tables,
     "memory": memory.tables,
+    "motion_forces": motion_forces.tables,
     "summary": summary.tables,
 }
 # By name only: they take long.

@@ -175,3 +175,12 @@ def test_ida_is_measured_in_a_process_of_its_own(monkeypatch: pytest.MonkeyPatch
     (tmp_path / "planemotion").mkdir()
     (tmp_path / "planemotion" / "__init__.py").write_text("raise ImportError('another package')\n")
     assert stock.measured(problem, 1e-6, tmp_path)[2] == "ImportError: another package"
+
+
+def test_forces_by_the_motion_answer_as_constants_do(tmp_path: Path) -> None:
+    ended = bench(tmp_path, "--only", "motion_forces")
+    assert ended.returncode == 0, ended.stderr
+    with (tmp_path / "motion_forces.csv").open(encoding="utf-8") as file:
+        found = list(csv.DictReader(file))
+    assert [row["what depends"] for row in found] == ["stiffness", "rate", "force", "couple", "all"]
+    assert all(float(row["answers differ by"]) < 1e-11 for row in found)

@@ -91,6 +91,8 @@ def test_a_direction_ends_before_an_operator() -> None:
         ("3 in^2 - r", "goes in parentheses: (3 in^2)"),
         ("-3 in + r", "goes in parentheses: (-3 in)"),
         ("2*3 in", "goes in parentheses: (3 in)"),
+        ("2 kg*rod.omega", "a number with a unit goes in parentheses: (2 kg)*..."),
+        ("2 kg * rod.velocity.x", "a number with a unit goes in parentheses: (2 kg)*..."),
         ("2 zz*r", 'unknown unit "zz"; a number with a unit goes in parentheses: (2 s)*t'),
         ("3 foo", 'unknown unit "foo"'),
         ("a b", 'an operator or the end is wanted, not "b" (character 3)'),

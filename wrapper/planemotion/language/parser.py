@@ -151,6 +151,10 @@ class _Parser:
         unit = self.scanner.take(_UNIT_HERE)
         if unit is None:
             return Number(value, wild=value == 0, text=number)
+        if self.scanner.peek(r"\.") and "*" in unit:
+            # What was meant as a product with an address has been read as a unit.
+            own = unit.partition("*")[0].strip()
+            raise SceneError(f"a number with a unit goes in parentheses: ({number} {own})*...")
         try:
             size, dimension = factor(unit)
         except SceneError as error:
