@@ -6,6 +6,7 @@
 #include "elements/contact.h"
 #include "elements/trigger.h"
 #include "events/last_bounce.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -137,10 +138,12 @@ int pm_event_evidence_located(const pm_workspace *w)
     return 0;
 }
 
-/* What is answered at a time of the scene depends on whether the last jump came before it. */
+/* What is answered at a time of the scene depends on whether the last jump came before it: nobody knows where that is rounding. */
 static void take_time_since_jump(pm_workspace *w)
 {
     const double natural = w->numbers.size / w->numbers.speed;
+    if (w->state.t - w->firing.jumped <= PM_TIME_ROUNDING * w->state.t)
+        pm_evidence_ties(&w->evidence, w->state.t);
     pm_evidence_take(&w->evidence, &(pm_evidence_decision){.kind = PM_EVIDENCE_VALUE,
                                                            .what = AFTER_FUNCTIONS,
                                                            .trigger = PM_NONE,

@@ -142,6 +142,7 @@
 #define PM_TIME_HALVINGS 64 /* of a stretch of time, to neighbouring numbers; fewer: switches less exact */
 #define PM_TIME_BUDGET 4096 /* stretches that are looked at for a switch; more would only put off a phase end */
 #define PM_TIME_SAME 2.3e-16 /* of the time: neighbouring numbers; larger: switches less exact */
+#define PM_TIME_ROUNDING 2e-15 /* of the time: a jump so shortly before a time of the scene may come after it; larger: right answers are called undecided */
 #define PM_TIME_TOGETHER 1e-14 /* of the time: a switch that is so near belongs to an instant; larger: switches less exact, less: no step fits between */
 #define PM_HISTORY_PARTING 0.4 /* of a stretch between two rows of a history: off the middle, where a chord may cross; less: a worse look */
 #define PM_HISTORY_SAFETY 2.0 /* times what a chord misses there: it misses more elsewhere; larger: more rows, less: bends are passed */

@@ -529,4 +529,10 @@ FAULTS = [
         "if (reason != PM_REASON_NONE) return reason;",
         "",
     ),
+    Fault(
+        "ties: a blow a rounding before the end is none",
+        "events/event_evidence.c",
+        "if (w->state.t - w->firing.jumped <= PM_TIME_ROUNDING * w->state.t)",
+        "if (0)",
+    ),
 ]

@@ -280,7 +280,7 @@ int main(void)
         both_at_once(routes[i]);
         blow_at_the_end(routes[i]);
     }
-    blow_at_the_end(PM_ROUTE_AUTO);
+    for (int i = 0; i < 20; i++) blow_at_the_end(PM_ROUTE_AUTO);
     error_after_a_blow();
     clatters_to_rest();
     billiards();
