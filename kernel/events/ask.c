@@ -204,9 +204,10 @@ void pm_ask_instant(pm_workspace *w)
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
-        if (pm_ask_is_integral(e)) continue;
         const double value = unique(w, ask, pm_ask_program(e), pm_ask_run(w, ask));
-        if (e[PM_ASK_KIND] == PM_ASK_GRID)
+        if (pm_ask_is_integral(e))
+            w->ask->undefined[ask] |= w->ask->shared[ask]; /* of the phase that begins, too */
+        else if (e[PM_ASK_KIND] == PM_ASK_GRID)
             offer_grid(w, ask, value);
         else
             pm_ask_offer(w, ask, value, 0);

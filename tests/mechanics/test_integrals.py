@@ -124,6 +124,27 @@ def test_a_mean_over_no_time_is_undefined() -> None:
     assert result["nothing"] == 0
 
 
+def test_the_mean_of_a_force_that_nothing_tells_is_not_unique() -> None:
+    """Of two pins that hold a rod at its ends the forces along it are shared as one likes."""
+    result = load_text(
+        """
+        bodies.rod = { rod = ["A", "B"], length = "1 m", mass = "2 kg", at = { A = [0, 0] } }
+        ground.points.P = ["1 m", 0]
+        joints.a = { pin = ["rod.A", "ground"] }
+        joints.b = { pin = ["rod.B", "ground.P"] }
+        until = "t = 1 s"
+        [ask]
+        along = { mean = "a.force.x" }
+        impulse = { integral = "a.force.x" }
+        across = { mean = "a.force.y" }
+        """
+    ).run()
+    assert result["along"] is None
+    assert result["impulse"] is None
+    assert result.asks["along"].reason.startswith("not unique")
+    assert result["across"] == pytest.approx(G, rel=1e-9)
+
+
 def test_integrals_are_swept() -> None:
     scene = load_text(
         """
