@@ -21,6 +21,7 @@ from .engine.history import is_history
 from .file import load, load_text
 from .pen import page as pen
 from .pen.theme import THEMES, on_paper
+from .pictures.condensed import evenly
 from .pictures.panels import drawn_dims, open_sweep
 from .pictures.scene import figure, start_of
 from .report import explain as explanations
@@ -116,7 +117,7 @@ def _chosen(
     the sliders, and where in the dataset (of further parameters at their first value)."""
     dims = drawn_dims(dataset)
     along = max(1, round(most ** (1 / len(dims))))
-    index = {dim: _evenly(dataset.sizes[dim], along) for dim in dims}
+    index = {dim: evenly(dataset.sizes[dim], along).tolist() for dim in dims}
     held = dict.fromkeys((str(dim) for dim in dataset["status"].dims), 0)
     sliders = [
         Slider(dim, [case_values(dataset, {**held, dim: i}).get(dim, str(i + 1)) for i in index[dim]])
@@ -127,10 +128,6 @@ def _chosen(
         for place in product(*(range(len(index[dim])) for dim in dims))
     ]
     return sliders, places
-
-
-def _evenly(count: int, most: int) -> list[int]:
-    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, most))})
 
 
 def _replay(scene: Scene, place: Sequence[int], words: str) -> Replay:

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..base.arrays import Floats
 from ..base.errors import SceneError
-from ..model.readers import Value
-from ..model.tables import DESIGNS, DISTRIBUTIONS, Design, Swept
+from ..model.readers import DISTRIBUTIONS, Value
+from ..model.tables import DESIGNS, Design, Swept
 from .grids import quantities_in_one_unit
 
 # A quantile function: parts of the probability [n] -> values [n].

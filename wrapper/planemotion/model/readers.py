@@ -12,7 +12,13 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 Value: TypeAlias = str | int | float | bool
-_DISTRIBUTIONS = {"uniform", "normal", "lognormal", "triangular"}
+# What a distribution is given by.
+DISTRIBUTIONS: Mapping[str, tuple[str, ...]] = {
+    "uniform": ("least", "greatest"),
+    "normal": ("mean", "standard deviation"),
+    "lognormal": ("median", "standard deviation of the logarithm"),
+    "triangular": ("least", "most frequent", "greatest"),
+}
 
 
 @dataclass(frozen=True)
@@ -160,9 +166,10 @@ def read_numbers(written: Any) -> tuple[Value, ...]:
 
 def read_swept(written: Any) -> Any:
     """A grid, or a table with a distribution."""
-    if not isinstance(written, Mapping) or not _DISTRIBUTIONS.intersection(written):
+    given = [word for word in DISTRIBUTIONS if isinstance(written, Mapping) and word in written]
+    if not given:
         return read_grid(written)
-    if len(_DISTRIBUTIONS.intersection(written)) > 1 or not {*written} <= {*_DISTRIBUTIONS, "within"}:
+    if len(given) > 1 or not {*written} <= {*given, "within"}:
         raise ValueError(
             "one distribution is wanted, such as { normal = [mean, deviation] }, and at most within"
         )

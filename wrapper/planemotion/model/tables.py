@@ -14,6 +14,7 @@ from pydantic import BeforeValidator, Field
 from . import words
 from .element import Kind, Number, Pair, Partners, Table, Text
 from .readers import (
+    DISTRIBUTIONS,
     Offset,
     Place,
     Value,
@@ -167,13 +168,6 @@ class Grid(Table):
 
 GridOf = Annotated[Grid, BeforeValidator(read_grid)]
 
-# What a distribution is given by.
-DISTRIBUTIONS: Mapping[str, tuple[str, ...]] = {
-    "uniform": ("least", "greatest"),
-    "normal": ("mean", "standard deviation"),
-    "lognormal": ("median", "standard deviation of the logarithm"),
-    "triangular": ("least", "most frequent", "greatest"),
-}
 DESIGNS = ("latin", "sobol", "halton", "random")
 Numbers = Annotated[tuple[Value, ...], BeforeValidator(read_numbers)]
 

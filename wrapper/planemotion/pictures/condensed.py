@@ -11,6 +11,11 @@ import numpy.typing as npt
 from ..base.arrays import Floats
 
 
+def evenly(count: int, most: int) -> npt.NDArray[np.int64]:
+    """At most so many of the numbers from 0 to count - 1."""
+    return np.linspace(0, count - 1, min(count, most)).round().astype(np.int64)
+
+
 def condensed(values: npt.NDArray[Any], steps: Sequence[int]) -> Floats:
     """The lower median of blocks of steps[0] x steps[1] values [n, m]: always one of the values.
 

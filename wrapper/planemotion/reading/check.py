@@ -12,8 +12,8 @@ from typing import Any
 from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
 from ..model import words
+from ..model.readers import DISTRIBUTIONS
 from ..model.tables import (
-    DISTRIBUTIONS,
     Action,
     Ask,
     At,

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from ..base.arrays import Floats
 from ..pen.page import CURVES, RED
-from ..pictures.condensed import outline
+from ..pictures.condensed import evenly, outline
 from ..pictures.panels import Panel, Panels, SweptAxis
 
 # Values along a side of a map, and runs of neighbours of a curve.
@@ -51,7 +51,7 @@ def _curves(read: Panels, panel: Panel) -> dict[str, Any]:
 def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str, Any]:
     shown = axis.label if axis.drawn else axis.name
     if axis.drawn:
-        kept = _evenly(len(axis.values), _MOST_DOTS)
+        kept = evenly(len(axis.values), _MOST_DOTS)
         x, y, mode = axis.values[kept], values[kept], "markers"
     else:
         x, y = outline(axis.values, values, _CURVE_PARTS)
@@ -69,15 +69,10 @@ def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str,
     }
 
 
-def _evenly(count: int, most: int) -> npt.NDArray[np.int64]:
-    """At most so many of count numbers from 0 on."""
-    return np.linspace(0, count - 1, min(count, most)).round().astype(np.int64)
-
-
 def _bad_cases(axis: SweptAxis, bad: npt.NDArray[np.bool_]) -> dict[str, Any]:
     """Red ticks on the lower edge."""
     x = axis.values[bad]
-    x = x[_evenly(len(x), _CURVE_PARTS)]
+    x = x[evenly(len(x), _CURVE_PARTS)]
     return {
         "type": "scatter",
         "mode": "markers",
