@@ -11,6 +11,7 @@ from matplotlib.patches import Circle
 
 import planemotion
 from planemotion.pen import page
+from planemotion.pen.sketch import Sketch
 from planemotion.pictures import scene as sketch
 from tests.pictures.figures import texts
 from tests.scenes.parts import rod_on_pin
@@ -164,3 +165,38 @@ parameters.L = "3 ft"
     assert sketch.start_of(scene).poses["AB"][0] == pytest.approx(1.5 * 0.3048)
     assert sketch.start_of(scene.with_values({"L": "5"})).poses["AB"][0] == pytest.approx(2.5 * 0.3048)
     assert drawn(sketch.start_of(scene)).axes[0].get_xlabel() == "x [ft]"
+
+
+def members_in(
+    step: str, room: tuple[tuple[float, float], tuple[float, float]], count: str = ""
+) -> np.ndarray:
+    """Where the members of a row from (1 m, 0) are drawn in a picture of that room (m)."""
+    start = start_of(f"""
+until = "t = 1 s"
+bodies.P = {{ mass = "1 kg", at = [0, 0] }}
+ground.rows.bars = {{ from = ["1 m", 0], step = {step}{count} }}
+""")
+    low, high = (np.array(corner) for corner in room)
+    with page.style():
+        seen = Sketch(start.drawing, start.poses, "m", (low, high))
+        sketch.SceneDrawing(start.data, seen).draw_ground()
+    return np.array([patch.center for patch in seen.pen.axes.patches if isinstance(patch, Circle)])
+
+
+def test_an_endless_row_goes_through_the_whole_picture() -> None:
+    dense = members_in('["1 cm", 0]', ((-40.0, -1.0), (60.0, 5.0)))
+    assert dense[:, 0].min() < -40
+    assert dense[:, 0].max() > 60
+    gaps = np.diff(np.sort(dense[:, 0]))
+    assert gaps.max() == pytest.approx(gaps.min())  # a band: no member is left out that could be seen
+    assert len(dense) < 400
+    slanting = members_in('["3 m", "-4 m"]', ((-30.0, -30.0), (30.0, 30.0)))
+    assert all(np.hypot(*(at - (1, 0))) % 5 == pytest.approx(0) for at in slanting)
+    assert len(slanting) > 10
+
+
+def test_a_row_that_ends_has_its_members_alone() -> None:
+    assert members_in('["2 m", 0]', ((-5.0, -1.0), (50.0, 1.0)), ", count = 4")[:, 0] == pytest.approx(
+        [1, 3, 5, 7]
+    )
+    assert len(members_in('["2 m", 0]', ((2.0, 4.0), (9.0, 11.0)))) == 0  # it passes below the picture

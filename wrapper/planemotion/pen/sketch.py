@@ -189,6 +189,23 @@ class Sketch:
             a, b = _clip(at, along, self.low, self.high)
         return (float(a[0]), float(a[1])), (float(b[0]), float(b[1]))
 
+    def members(self, row: RowMark, apart: float) -> list[Place]:
+        """The members of a row of points that lie in the picture, `apart` inches from each other or more."""
+        start = np.array(self.place(GROUND, row.start))
+        step = np.array([self.length(part) for part in row.step])
+        size = float(np.hypot(*step))
+        if not size:
+            return []
+        count = round(self.number(row.count))
+        first, last = _inside(start, step, self.low, self.high)
+        if count >= 0:
+            first, last = max(first, 0.0), min(last, count - 1.0)
+        if not first <= last:
+            return []
+        every = max(1, math.ceil(apart * self.pen.inch / size))
+        numbers = every * np.arange(math.ceil(first / every), math.floor(last / every) + 1)
+        return [(float(x), float(y)) for x, y in start + numbers[:, None] * step]
+
     def reach(self, owner: str) -> float:
         """How far a body extends from its geometric centre; the same in all its poses."""
         marks = self.drawing.marks(owner)
@@ -308,6 +325,14 @@ def _clip(
 
     A short piece at `at` if it misses the box.
     """
+    first, last = _inside(at, along, low, high)
+    if not first < last:
+        first, last = 0.0, 0.0
+    return at + first * along, at + last * along
+
+
+def _inside(at: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray) -> tuple[float, float]:
+    """Between which k the place `at + k along` is in a box (all [2]); (greater, smaller): it never is."""
     first, last = -math.inf, math.inf
     for i in range(2):
         if along[i]:
@@ -315,6 +340,4 @@ def _clip(
             first, last = max(first, ends[0]), min(last, ends[1])
         elif not low[i] <= at[i] <= high[i]:
             last = -math.inf
-    if not first < last:
-        first, last = 0.0, 0.0
-    return at + first * along, at + last * along
+    return first, last

@@ -112,7 +112,8 @@ class Pen:
         self.line(arc, BODY_FILL, 3.0, zorder=2.1)
 
     def dot(self, at: Place, colour: str = INK, radius: float = 0.022) -> None:
-        self.circle(at, radius * self.inch, fill=colour, edge=colour, linewidth=0, zorder=5)
+        self.axes.add_patch(Circle(at, radius * self.inch, facecolor=colour, linewidth=0, zorder=5))
+        self.ink.append(at)
 
     def arrow(self, tail: Place, tip: Place, colour: str = RED, style: str = "-|>", **options: Any) -> None:
         options = {"mutation_scale": 9, "linewidth": 1.4, "shrinkA": 0, "shrinkB": 0, "zorder": 6, **options}

@@ -12,7 +12,6 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -40,8 +39,8 @@ _PARTICLE = 0.06  # radius of a particle, in
 _CENTRE_LINE = (0, (7, 2, 1.5, 2))  # dashes of a line on a body
 # Below so many inches a direction between two places means nothing.
 _CLOSE = 1e-6
-# Members of an endless row that are drawn at most.
-_MAX_MEMBERS = 400
+# Radius of a member of a row of points, in; members that are closer than that to each other make a band.
+_MEMBER = 0.035
 _IMPERIAL = ("in", "ft", "yd", "mi")
 _LENGTHS = ("mm", "cm", "m", "km", *_IMPERIAL)
 _WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
@@ -202,18 +201,9 @@ class SceneDrawing:
             self._row(name, row)
 
     def _row(self, name: str, row: RowMark) -> None:
-        start = np.array(self.sketch.place(GROUND, row.start))
-        step = np.array([self.sketch.length(part) for part in row.step])
-        if not np.any(step):
-            return
-        count = round(self.sketch.number(row.count))
-        reach = float(np.hypot(*(self.sketch.high - self.sketch.low)) / np.hypot(*step))
-        members = range(-int(reach), int(reach) + 1) if count < 0 else range(count)
-        places = (start + k * step for k in members)
-        seen = (at for at in places if np.all(at >= self.sketch.low) and np.all(at <= self.sketch.high))
-        for at in islice(seen, _MAX_MEMBERS):
-            self.sketch.pen.dot((float(at[0]), float(at[1])), INK, 0.035)
-        self.sketch.pen.name((float(start[0]), float(start[1])), f"{name}[0]", SOFT)
+        for at in self.sketch.members(row, _MEMBER):
+            self.sketch.pen.dot(at, INK, _MEMBER)
+        self.sketch.pen.name(self.sketch.place(GROUND, row.start), f"{name}[0]", SOFT)
 
     def draw_body(self, name: str, body: Body) -> None:
         """A body with its circles and lines, and its name."""
