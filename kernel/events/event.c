@@ -55,6 +55,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->greatest, ntrigger),
         PM_ARRAY(e->last, ntrigger),
         PM_ARRAY(e->spent, ncontact),
+        PM_ARRAY(e->series, ncontact),
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
         PM_ARRAY(e->culling.moved, m->nbody + 1),

@@ -63,6 +63,13 @@ typedef struct pm_event_function {
     double biggest;  /* of their sizes, where the tail is known */
 } pm_event_function;
 
+/* The last blows of a contact (events/bounce_series.h). */
+typedef struct pm_bounce_series {
+    int known;        /* of these times, at most 4 */
+    double struck[4]; /* s, the latest first */
+    double over;      /* s: it bounces until then; -INFINITY: it does not */
+} pm_bounce_series;
+
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
@@ -80,6 +87,7 @@ typedef struct pm_event_set {
     int at_root;                 /* the step ends at one of these */
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
+    pm_bounce_series *series; /* [ncontact] */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     double *last;           /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
     unsigned char *acted;   /* [nevent] its actions are carried out at this instant */

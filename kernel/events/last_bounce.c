@@ -10,17 +10,31 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "events/bounce_series.h"
 #include "events/event.h"
 #include "numerics/tolerances.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
-/* Below which rebounds are the last; a coarse run cuts a series of blows off earlier, which shows what that loses. */
+/* A speed of which the bounce is too low, as a share of the scene's speed; a coarse run cuts a series of blows off earlier, which
+ * shows what that loses. */
 static double cut_speed(const pm_workspace *w, double share)
 {
-    const double far_off = sqrt(pm_contact_reach(w) / w->numbers.size);
-    return (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER : 1) * share * w->numbers.speed * far_off;
+    return (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER : 1) * share * w->numbers.speed;
 }
+
+static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->numbers.size); }
+
+/* Below which rebounds are the last.  Where it is known how long a series goes on it is followed less far; and less far still
+ * where the top of a bounce is an instant of its own, at which the contact must not touch. */
+static double last_speed(const pm_workspace *w, int contact)
+{
+    const double lost = PM_LAST_BOUNCE * far_off(w);
+    if (!pm_bounce_series_is_settled(w, contact)) return cut_speed(w, lost);
+    return cut_speed(w, fmax(lost, w->phase.route->meets_places ? PM_LOWEST_TOP : PM_BOUNCE_SETTLED));
+}
+
+static double spent_speed(const pm_workspace *w) { return cut_speed(w, PM_BOUNCE_SPENT * far_off(w)); }
 
 static int is_resolved(const pm_workspace *w, int contact)
 {
@@ -30,18 +44,15 @@ static int is_resolved(const pm_workspace *w, int contact)
 double pm_last_bounce_restitution(const pm_workspace *w, int contact, double approach)
 {
     const double e = pm_contact_restitution(&w->frame, contact);
-    return e * -approach > cut_speed(w, PM_LAST_BOUNCE) || is_resolved(w, contact) ? e : 0;
+    return e * -approach > last_speed(w, contact) || is_resolved(w, contact) ? e : 0;
 }
 
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)
 {
-    return !is_resolved(w, contact) && fabs(rate) <= PM_BOUNCE_UNKNOWN * cut_speed(w, PM_LAST_BOUNCE);
+    return !is_resolved(w, contact) && fabs(rate) <= PM_BOUNCE_UNKNOWN * last_speed(w, contact);
 }
 
-int pm_last_bounce_is_slow(const pm_workspace *w, double approach)
-{
-    return approach <= cut_speed(w, PM_BOUNCE_SPENT);
-}
+int pm_last_bounce_is_slow(const pm_workspace *w, double approach) { return approach <= spent_speed(w); }
 
 int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate)
 {
@@ -50,6 +61,5 @@ int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate)
 
 int pm_last_bounce_is_spent(const pm_workspace *w, int contact, double rate)
 {
-    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) &&
-           rate <= cut_speed(w, PM_BOUNCE_SPENT);
+    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) && rate <= spent_speed(w);
 }

@@ -22,6 +22,7 @@
 #include "elements/joint_friction.h"
 #include "elements/trigger.h"
 #include "equations/ledger.h"
+#include "events/bounce_series.h"
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
@@ -120,7 +121,10 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
             b->share[slot] = PM_STRUCK;
             b->approach = fmax(b->approach, fabs(x.rate));
             b->ends_bounce |= x.rests;
-            if (x.approaches) pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
+            if (x.approaches) {
+                pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
+                pm_bounce_series_strike(w, i);
+            }
             ++*struck;
         }
     return PM_OK;

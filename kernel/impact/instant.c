@@ -8,6 +8,7 @@
 #include "elements/trigger.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
+#include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
 #include "events/history.h"
@@ -36,11 +37,17 @@ static int at_rest(const pm_frame *frame, int body)
     return 1;
 }
 
-static void mark_rest(const pm_frame *frame, pm_firing *firing)
+/* A body, or PM_NONE: all of them. */
+static int rests(const pm_workspace *w, int body)
 {
-    if (at_rest(frame, PM_NONE)) pm_trigger_mark(frame->model, firing, PM_TRIGGER_REST, PM_NONE);
-    for (int i = 0; i < frame->model->nbody; i++)
-        if (at_rest(frame, i)) pm_trigger_mark(frame->model, firing, PM_TRIGGER_REST, i);
+    return at_rest(&w->frame, body) && !pm_bounce_series_moves(w, body);
+}
+
+static void mark_rest(pm_workspace *w)
+{
+    if (rests(w, PM_NONE)) pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_REST, PM_NONE);
+    for (int i = 0; i < w->model->nbody; i++)
+        if (rests(w, i)) pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_REST, i);
 }
 
 /* No contact has changed, and none is met. */
@@ -86,6 +93,7 @@ static int settle(pm_workspace *w, int begins)
     int jumped;
     const int status = strike(w, &jumped);
     if (status) return status;
+    if (jumped) pm_bounce_series_cut(w);
     pm_contact_modes_mark(w);
     if (begins && !jumped) pm_trigger_look_before(w);
     pm_trigger_look_after(w);
@@ -96,14 +104,14 @@ static int settle(pm_workspace *w, int begins)
  * is at rest. */
 static int carry_out(pm_workspace *w)
 {
-    int acted, rests = 0, status;
+    int acted, marked = 0, status;
     for (;;) {
         if ((status = pm_action_carry_out(w, &acted))) return status;
         if (acted) {
             if ((status = settle(w, 0))) return status;
-        } else if (!rests) {
-            mark_rest(&w->frame, &w->firing);
-            rests = 1;
+        } else if (!marked) {
+            mark_rest(w);
+            marked = 1;
         } else {
             return PM_OK;
         }
@@ -207,9 +215,9 @@ int pm_instant_jams(pm_workspace *w, int status)
 
 int pm_instant_finish(pm_workspace *w, int *ended)
 {
-    mark_rest(&w->frame, &w->firing);
+    mark_rest(w);
     const int status = close(w, ended);
-    if (!status && !*ended && at_rest(&w->frame, PM_NONE) && !w->model->programs.use_time &&
+    if (!status && !*ended && rests(w, PM_NONE) && !w->model->programs.use_time &&
         w->request.program == PM_NONE)
         return pm_fail(&w->result, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t,
                        (double)w->result.count[PM_COUNT_STEPS]);

@@ -226,6 +226,9 @@
 #define PM_PASSAGE_BEND 2.0 /* times the deviation that differences of nodes show: of a way from its chord; larger: more looks */
 #define PM_PASSAGE_LOOKS 40 /* for a passage through an edge between two nodes; fewer: grazing ones are not seen */
 #define PM_LAST_BOUNCE 1e-7 /* of the scene's speed: the height of slower rebounds, v^2 / 2g, is lost in rounding; larger: rests too early */
+#define PM_LOWEST_TOP 5e-5 /* of the scene's speed: bounces of slower rebounds touch at their top (PM_TOUCHING); larger: series are cut off earlier */
+#define PM_BOUNCE_SETTLED 1e-5 /* of the scene's speed: slower rebounds of a series whose end is known are not computed; larger: loses more by the square, smaller: flights show more rounding */
+#define PM_SERIES_SETTLED 1e-3 /* of the ratio of flights: it is that of the flights to come; larger: series end at a wrong time, smaller: those that rock end early */
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
 #define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */

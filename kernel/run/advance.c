@@ -12,6 +12,7 @@
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
+#include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
 #include "events/history.h"
@@ -57,17 +58,17 @@ static void mark_hits(pm_firing *firing, const pm_event_set *e)
         if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) firing->fired[e->function[i].index] = 1;
 }
 
-static double next_due(const pm_model *model, const pm_event_set *event)
+static double next_due(const pm_workspace *w)
 {
-    double next = INFINITY;
-    for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) next = fmin(next, event->due[i]);
+    double next = pm_bounce_series_next(w);
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) next = fmin(next, w->event->due[i]);
     return next;
 }
 
 /* The step has ended when triggers on time are due. */
 static int mark_due(pm_workspace *w)
 {
-    int any = 0;
+    int any = pm_bounce_series_end(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         if (w->event->due[i] > w->state.t) continue;
         w->firing.fired[i] = 1;
@@ -82,7 +83,7 @@ static double time_limit(pm_workspace *w, double max_time)
 {
     if (!w->phase.route->in_time) return max_time;
     const double length = w->event->first_step ? 0 : w->step.whole_end - w->step.whole_begin;
-    const double due = fmin(max_time, next_due(w->model, w->event));
+    const double due = fmin(max_time, next_due(w));
     const double limit = fmin(pm_time_course_limit(w, length), w->state.t + pm_motion_course_limit(w));
     return limit < due - PM_TIME_TOGETHER * fabs(due) ? limit : due;
 }
@@ -163,8 +164,7 @@ static void join_end(const pm_workspace *w, double *first)
 {
     const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
     if (!pm_step_window_is_last(&w->step)) return;
-    const int something =
-        w->event->at_root || (w->phase.route->in_time && next_due(w->model, w->event) <= w->step.end);
+    const int something = w->event->at_root || (w->phase.route->in_time && next_due(w) <= w->step.end);
     if (something && *first >= w->step.end - same) *first = w->step.end;
 }
 

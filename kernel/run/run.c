@@ -16,6 +16,7 @@
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/ask.h"
+#include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/history.h"
 #include "events/motion_course.h"
@@ -46,6 +47,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
     pm_repeat_forget(w->repeat);
     w->event->nfunction = 0;
+    pm_bounce_series_begin(w);
     w->step.reverses = 0;
     pm_joint_friction_release(w);
     pm_evidence_begin(w->model, &w->evidence);

@@ -332,6 +332,18 @@ FAULTS = [
         "1",
     ),
     Fault(
+        "series: what is left of it takes no time",
+        "events/bounce_series.c",
+        "* ratio / (1 - ratio);",
+        "* 0;",
+    ),
+    Fault(
+        "series: a body in its last bounces rests",
+        "events/bounce_series.c",
+        "if (w->event->series[i].over > w->state.t && (body",
+        "if (0 && (body",
+    ),
+    Fault(
         "jump: its last blows are decisions",
         "events/last_bounce.c",
         "fabs(rate) <= PM_BOUNCE_UNKNOWN *",

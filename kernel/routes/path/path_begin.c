@@ -8,6 +8,7 @@
 #include "elements/turning_plane.h"
 #include "equations/active_set.h"
 #include "equations/ledger.h"
+#include "events/bounce_series.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
@@ -63,7 +64,8 @@ static int leave_rest(pm_workspace *w, const pm_place *x)
 int pm_path_applies(const pm_workspace *w)
 {
     return w->model->programs.forces_by_place && !w->model->programs.integrals && !w->active.asymmetric &&
-           !w->numbers.massless && !w->phase.path_left && !pm_active_set_is_driven(&w->active);
+           !w->numbers.massless && !w->phase.path_left && !pm_active_set_is_driven(&w->active) &&
+           pm_bounce_series_next(w) == INFINITY;
 }
 
 /* Against its forces it comes so little far that the differences of energies do not show where it turns. */

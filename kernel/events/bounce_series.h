@@ -1,0 +1,23 @@
+/* bounce_series.h - when a series of ever smaller bounces comes to its end, though it is cut off before. */
+#ifndef PM_BOUNCE_SERIES_H
+#define PM_BOUNCE_SERIES_H
+
+#include "state/workspace.h"
+
+/* A run begins: nothing has been struck. */
+void pm_bounce_series_begin(const pm_workspace *w);
+/* The contact is struck now. */
+void pm_bounce_series_strike(const pm_workspace *w, int contact);
+/* The blows of this instant are done: a contact that was struck and stays closed has bounced for the last time that is
+ * computed.  Where the route path is asked for, which knows no time, nothing waits for the end of the series. */
+void pm_bounce_series_cut(const pm_workspace *w);
+/* 1 if the flights of the contact shrink by a ratio that is known: so are those that are not computed. */
+int pm_bounce_series_is_settled(const pm_workspace *w, int contact);
+/* The next time at which such a series is over, s; INFINITY: none is going on. */
+double pm_bounce_series_next(const pm_workspace *w);
+/* 1 if such a series is over by now; it is forgotten. */
+int pm_bounce_series_end(pm_workspace *w);
+/* 1 if a contact of the body (PM_NONE: any contact) still bounces. */
+int pm_bounce_series_moves(const pm_workspace *w, int body);
+
+#endif

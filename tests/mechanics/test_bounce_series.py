@@ -1,0 +1,84 @@
+"""Bounces that end in finite time: a run computes the first of them, and waits for the end of all."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import planemotion
+
+ROUTES = ["auto", "rk", "ida"]
+
+
+def pressed(mass: float, stiffness: float, preload: float, e: float, away: float, more: str = "") -> str:
+    """A mass that a spring presses on a wall at x = 0, let go at x = `away`; SI."""
+    return f"""
+until = "rest"
+plane = "horizontal"
+ground.lines.wall = {{ through = [0, 0], angle = "-90 deg" }}
+ground.lines.track = {{ through = [0, 0] }}
+ground.points.P = ["{-preload} m", 0]
+bodies.m = {{ mass = "{mass} kg", at = ["{away} m", 0] }}
+joints.g = {{ slider = ["m", "ground.track"] }}
+forces.s = {{ spring = ["m", "ground.P"], stiffness = "{stiffness} N/m", free_length = 0 }}
+contacts.w = {{ touch = ["m", "ground.wall"], restitution = {e} }}
+events.hit = "w strikes"
+{more}
+[ask]
+t = {{ of = "t", unit = "s" }}
+hits = "hit.count"
+"""
+
+
+def end_of_series(mass: float, stiffness: float, preload: float, e: float, away: float) -> float:
+    """x + preload = A cos(w t) until the wall; a flight that begins at v takes 2/w atan(v / (w preload))."""
+    w = math.sqrt(stiffness / mass)
+    first = math.acos(preload / (preload + away)) / w
+    v = w * math.sqrt((preload + away) ** 2 - preload**2) * e ** np.arange(1, 4000)
+    return first + float(np.sum(2 / w * np.arctan(v / (w * preload))))
+
+
+def cases(n: int) -> list[tuple[float, float, float, float, float]]:
+    rng = np.random.default_rng(20261125)
+    return [
+        (
+            float(10 ** rng.uniform(-1, 1)),
+            float(10 ** rng.uniform(0, 3)),
+            float(10 ** rng.uniform(-1, 0.5)),
+            float(rng.uniform(0.2, 0.9)),
+            float(10 ** rng.uniform(-1, 0.5)),
+        )
+        for _ in range(n)
+    ]
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_mass_that_is_pressed_on_a_wall_rests_when_its_series_ends(route: str) -> None:
+    for case in cases(6 if route == "ida" else 25):
+        result = planemotion.load_text(pressed(*case)).with_values({"solve.route": route}).run()
+        assert result.status == "ok", case
+        true = end_of_series(*case)
+        assert result["t"] == pytest.approx(true, rel=1e-7 if route == "ida" else 1e-9), case
+        assert abs(result["t"] - true) <= 10 * result.asks["t"].error + 1e-12 * true, case
+        assert result["hits"] is None or math.isinf(result["hits"])
+
+
+def test_a_hinged_rod_rests_on_its_stop_at_one_time_on_each_route() -> None:
+    scene = planemotion.load("studies/hinged_rod.toml")
+    found = [scene.with_values({"solve.route": route}).run() for route in ROUTES]
+    assert [one.status for one in found] == ["ok"] * 3
+    for one in found:
+        assert one["rests_after"] == pytest.approx(found[1]["rests_after"], rel=1e-8)
+
+
+def test_one_body_may_rest_while_another_moves_on() -> None:
+    case = cases(3)[2]
+    other = 'bodies.free = { mass = "1 kg", at = [0, "9 m"] }\nstart.free.velocity = ["1 m/s", 0]\n'
+    text = pressed(*case, other + 'events.over = "m rests"\n').replace('"rest"', '"over"')
+    text += 'gone = { of = "free.x", unit = "m" }\n'
+    result = planemotion.load_text(text).run()
+    assert result.status == "ok"
+    assert result["t"] == pytest.approx(end_of_series(*case), rel=1e-9)
+    assert result["gone"] == pytest.approx(result["t"], rel=1e-12)
