@@ -40,6 +40,8 @@ enum pm_status {
     PM_STRAND_ENDS = 15,      /* a taut cord has no free length left: where = contact; detail = t */
     PM_ALTERNATES = 16,       /* modes of contacts change in turn and no time passes: where = contact; or a
                                  force switches to and fro: where = event of its switch; detail = how often */
+    PM_TABLE_ENDS = 17,       /* a force or a drive reads a table of values beyond its end: where = table of
+                                 PM_TABLE_PIECEWISE; detail = argument, the end */
     PM_BAD_TABLE = -1,        /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */

@@ -7,6 +7,8 @@
 #ifndef PLANEMOTION_TABLES_H
 #define PLANEMOTION_TABLES_H
 
+#include "planemotion_programs.h"
+
 #define PM_GROUND (-1)
 #define PM_NONE (-2)
 
@@ -38,58 +40,10 @@ enum pm_table {
     PM_TABLE_SPIN = 21,   /* one row where the plane of the scene turns about an axis in it: pm_spin_column */
     PM_TABLE_SECOND = 22, /* then one row per body: pm_second_column */
     PM_TABLE_ACTION = 23, /* what events do */
-    PM_TABLES = 24
+    PM_TABLE_PIECEWISE = 24, /* pm_piecewise_column: tables of measured values, as piecewise polynomials */
+    PM_TABLE_READING = 25,   /* pm_reading_column: where a table is read along the motion */
+    PM_TABLES = 26
 };
-
-/* ---- programs -------------------------------------------------------------------------------------
- * A stack machine on doubles.  Comparisons and logic give 1 or 0.  Binary operators take the value below
- * the top as their left operand. */
-enum pm_op {
-    PM_OP_CONSTANT = 0,  /* push constant[arg] */
-    PM_OP_PARAMETER = 1, /* push parameter[arg] of the case */
-    PM_OP_VALUE = 2,     /* push value[arg] */
-    PM_OP_MEASURE = 3,   /* push measure arg of the current state (not allowed in values) */
-    PM_OP_ADD = 4,
-    PM_OP_SUB = 5,
-    PM_OP_MUL = 6,
-    PM_OP_DIV = 7,
-    PM_OP_POW = 8,
-    PM_OP_NEG = 9,
-    PM_OP_LT = 10,
-    PM_OP_LE = 11,
-    PM_OP_GT = 12,
-    PM_OP_GE = 13,
-    PM_OP_EQ = 14,
-    PM_OP_NE = 15,
-    PM_OP_AND = 16,
-    PM_OP_OR = 17,
-    PM_OP_NOT = 18,
-    PM_OP_SIN = 19,
-    PM_OP_COS = 20,
-    PM_OP_TAN = 21,
-    PM_OP_ASIN = 22,
-    PM_OP_ACOS = 23,
-    PM_OP_ATAN2 = 24,
-    PM_OP_SQRT = 25,
-    PM_OP_ABS = 26,
-    PM_OP_MIN = 27,
-    PM_OP_MAX = 28,
-    PM_OP_EXP = 29,
-    PM_OP_LOG = 30,
-    PM_OP_HYPOT = 31, /* sqrt(a^2 + b^2) */
-    PM_OP_FLOOR = 32,
-    PM_OP_SELECT = 33, /* c a b -> a if c != 0, else b */
-    PM_OP_ATAN = 34,
-    PM_OP_ANSWER =
-        35, /* push out[arg], answered before (only in programs of asks at the end, and of a find) */
-    PM_OP_TANH = 36,
-    PM_OPS = 37
-};
-#define PM_MAX_TIME 1000 /* s: limit of runs for which none is set */
-#define PM_STACK 64      /* greatest depth of the stack */
-enum pm_code_column { PM_CODE_OP = 0, PM_CODE_ARG = 1, PM_CODE_COLUMNS = 2 };
-enum pm_program_column { PM_PROGRAM_FIRST = 0, PM_PROGRAM_LENGTH = 1, PM_PROGRAM_COLUMNS = 2 };
-enum pm_value_column { PM_VALUE_PROGRAM = 0, PM_VALUE_COLUMNS = 1 };
 
 /* ---- bodies and marks -------------------------------------------------------------------------------
  * A body's coordinates are (x, y, angle) of its mass centre G.  x, y, angle are the pose as drawn: the
@@ -287,7 +241,8 @@ enum pm_measure_kind {
     PM_MEASURE_SPIN_INERTIA = 45, /* of all that turns along, about the axis */
     PM_MEASURE_FORCE_RATE = 46,   /* d/dt of its stretch */
     PM_MEASURE_EVENT_SIDE =
-        47, /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0 */
+        47, /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0;
+               of PM_EFFECT_PIECE: the piece in which its argument lies */
     PM_MEASURE_KINDS = 48
 };
 enum pm_part {
@@ -364,9 +319,12 @@ enum pm_event_column {
     PM_EVENT_COLUMNS = 2
 };
 enum pm_event_effect {
-    PM_EFFECT_NONE = 0,  /* on what acts on the bodies, but by actions of the event */
-    PM_EFFECT_COUNT = 1, /* programs of forces read its count or time: a phase ends, another begins */
-    PM_EFFECT_SWITCH = 2 /* programs of forces read its side: two triggers, rise and fall of one program */
+    PM_EFFECT_NONE = 0,   /* on what acts on the bodies, but by actions of the event */
+    PM_EFFECT_COUNT = 1,  /* programs of forces read its count or time: a phase ends, another begins */
+    PM_EFFECT_SWITCH = 2, /* programs of forces read its side: two triggers, rise and fall of one program */
+    PM_EFFECT_PIECE =
+        3, /* programs read a table along the motion (PM_TABLE_READING): its triggers are the ends of a piece */
+    PM_EFFECTS = 4
 };
 /* What an event does when it fires: its rows, in order.  What is added holds from then on, what is removed no longer;
  * velocities that then clash meet in a plastic blow.  Impulses that follow each other in the table act at once. */

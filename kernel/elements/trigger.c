@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "expression/piecewise.h"
 #include "expression/program.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
@@ -102,8 +103,32 @@ void pm_trigger_look_before(pm_workspace *w)
 }
 
 /* ---- switches of forces ---- */
+int pm_trigger_is_of_piece(const pm_model *model, int i)
+{
+    const int event = PM_TRIGGER_ROW(model, i)[PM_TRIGGER_EVENT];
+    return PM_EVENT_ROW(model, event)[PM_EVENT_EFFECT] == PM_EFFECT_PIECE;
+}
+
+double pm_trigger_argument(pm_workspace *w, int reading)
+{
+    return pm_program_run(w, PM_READING_ROW(w->model, reading)[PM_READING_PROGRAM]);
+}
+
+static double piece_of(pm_workspace *w, int reading)
+{
+    const pm_piecewise p = pm_piecewise_of(w->model, PM_READING_ROW(w->model, reading)[PM_READING_TABLE]);
+    return pm_piecewise_number(&p, pm_trigger_argument(w, reading));
+}
+
+static void take_pieces(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_READING]; i++)
+        w->firing.side[PM_READING_ROW(w->model, i)[PM_READING_EVENT]] = piece_of(w, i);
+}
+
 void pm_trigger_take_sides(pm_workspace *w)
 {
+    take_pieces(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
         if (pm_trigger_of_switch(w->model, i))
             w->firing.side[PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_EVENT]] = pm_trigger_program(w, i) > 0;
@@ -111,6 +136,7 @@ void pm_trigger_take_sides(pm_workspace *w)
 
 void pm_trigger_jump_sides(pm_workspace *w)
 {
+    take_pieces(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         if (!pm_trigger_of_switch(w->model, i)) continue;
         const double before = w->firing.before[i], after = pm_trigger_program(w, i);

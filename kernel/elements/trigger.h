@@ -20,12 +20,16 @@ double pm_trigger_time(const pm_firing *firing, int event);
 double pm_trigger_program(pm_workspace *w, int trigger);
 /* The trigger's program depends on time alone, and linearly: it needs no watching. */
 int pm_trigger_on_time(const pm_model *model, int trigger);
-/* Sides of the switches of forces (PM_EFFECT_SWITCH), by the frame: as the run begins; after a jump from what firing.before
+/* Sides of the switches of forces (PM_EFFECT_SWITCH), and pieces of tables (PM_EFFECT_PIECE), by the frame: as the run begins; after a jump from what firing.before
  * says. */
 void pm_trigger_take_sides(pm_workspace *w);
 void pm_trigger_jump_sides(pm_workspace *w);
 /* It tells where a force switches (PM_EFFECT_SWITCH). */
 int pm_trigger_of_switch(const pm_model *model, int trigger);
+/* It tells where the piece of a table ends (PM_EFFECT_PIECE). */
+int pm_trigger_is_of_piece(const pm_model *model, int trigger);
+/* At what a row of PM_TABLE_READING reads its table, by the frame. */
+double pm_trigger_argument(pm_workspace *w, int reading);
 /* When a trigger on time fires next after w->state.t, or INFINITY. */
 double pm_trigger_due(pm_workspace *w, int trigger);
 

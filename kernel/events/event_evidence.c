@@ -40,12 +40,17 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
     }
 }
 
-/* A time of the scene comes whether the motion turns back there or not; and where a force switches, the motion tells all that
- * it decides. */
-static int is_no_decision(const pm_model *m, const pm_event_function *f)
+/* Where a force switches, or a table goes on by its next piece, the motion tells all that it decides. */
+static int is_of_force(const pm_model *m, const pm_event_function *f)
 {
     return f->kind == FUNCTION_TRIGGER &&
-           (pm_trigger_on_time(m, f->index) || pm_trigger_of_switch(m, f->index));
+           (pm_trigger_of_switch(m, f->index) || pm_trigger_is_of_piece(m, f->index));
+}
+
+/* A time of the scene comes whether the motion turns back there or not. */
+static int is_no_decision(const pm_model *m, const pm_event_function *f)
+{
+    return is_of_force(m, f) || (f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index));
 }
 
 void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
@@ -113,7 +118,7 @@ static int did_not_fire(const pm_workspace *w, int i, int marks)
 {
     const pm_event_function *f = &w->event->function[i];
     const int known = f->level <= w->frame.level;
-    if (f->kind == FUNCTION_TRIGGER && pm_trigger_of_switch(w->model, f->index)) return 0;
+    if (is_of_force(w->model, f)) return 0;
     return known && !w->event->hit[i] && !holds(&w->step, f) && !is_beyond(f) &&
            (marks || !takes_part(&w->frame, &w->state, f));
 }

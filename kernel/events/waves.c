@@ -45,6 +45,7 @@ static int more_than_operands(const pm_program_step *s)
     case STEP_NUMBER:
     case STEP_MEASURE:
     case STEP_ANSWER: return NOTHING_MORE;
+    case STEP_TABLE: return op == PM_OP_PIECEWISE ? WAVES : NOTHING_MORE; /* a piece is a polynomial */
     default:
         if (op == PM_OP_NEG || op == PM_OP_ADD || op == PM_OP_SUB || op == PM_OP_MUL ||
             (op == PM_OP_DIV && s->kind == STEP_WITH_NUMBER))

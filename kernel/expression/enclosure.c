@@ -14,9 +14,13 @@ static void note(int op, const pm_jet *x, pm_enclosure *e)
     e->changes += pm_jet_changes(op, x);
 }
 
-/* The switches of an operation on the operands a[]. */
-static void note_switches(int op, const pm_jet *a, pm_enclosure *e)
+/* The switches of an operation on the operands a[]; row: that of a table. */
+static void note_switches(const pm_model *m, int op, int row, const pm_jet *a, pm_enclosure *e)
 {
+    if (op == PM_OP_PIECEWISE) {
+        const pm_jet pieces = pm_jet_of_pieces(m, row, a);
+        note(PM_OP_FLOOR, &pieces, e);
+    }
     if (op == PM_OP_NOT || op == PM_OP_FLOOR || op == PM_OP_ABS || op == PM_OP_SELECT) note(op, a, e);
     if (op == PM_OP_AND || op == PM_OP_OR) {
         note(op, a, e);
@@ -70,9 +74,13 @@ pm_interval pm_enclosure_told_bends(pm_interval seen, double nothing)
 }
 
 /* The operation on a[0], a[1] ..; its result takes their place. */
-static void operate(int op, pm_jet *a, pm_enclosure *e)
+static void operate(const pm_model *m, int op, int row, pm_jet *a, pm_enclosure *e)
 {
-    note_switches(op, a, e);
+    note_switches(m, op, row, a, e);
+    if (pm_operation_of_table(op)) {
+        *a = pm_jet_of_table(m, op, row, a);
+        return;
+    }
     switch (pm_operations[op].takes) {
     case 1: *a = pm_jet_of_one(op, a); break;
     case 2: *a = pm_jet_of_two(op, a, a + 1); break;
@@ -90,7 +98,7 @@ pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *pa
         if (x.takes == 0)
             stack[x.at] = leaf(&x, param, value, from, to);
         else
-            operate(x.op, stack + x.at, &e);
+            operate(m, x.op, x.arg, stack + x.at, &e);
     }
     e.jet = stack[0];
     return e;
@@ -121,7 +129,7 @@ pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *numb
         case STEP_WITH_NUMBER: stack[top + 1] = number_jet(number[s->arg]); break;
         default: top -= pm_operations[s->op].takes - 1;
         }
-        operate(s->op, stack + top, &e);
+        operate(m, s->op, s->arg, stack + top, &e);
     }
     e.jet = stack[0];
     return e;

@@ -63,4 +63,10 @@ int pm_jet_may_leap(const pm_jet *y, const pm_jet *x);
 /* It stands otherwise at the end than at the beginning. */
 int pm_jet_changes(int op, const pm_jet *x);
 
+/* ---- enclosure_table.c ---- */
+/* Of an operation that reads the piecewise polynomial `row`, on the operands a[]. */
+pm_jet pm_jet_of_table(const pm_model *m, int op, int row, const pm_jet *a);
+/* In which piece an argument lies, as a jet that switches like floor does. */
+pm_jet pm_jet_of_pieces(const pm_model *m, int row, const pm_jet *a);
+
 #endif

@@ -66,6 +66,9 @@ const pm_operation pm_operations[PM_OPS] = {
     [PM_OP_MAX] = {2, CORNERS, .two = greater},
     [PM_OP_HYPOT] = {2, .two = hypot},
     [PM_OP_SELECT] = {3},
+    [PM_OP_PIECEWISE] = {1}, /* these three: expression/piecewise.c */
+    [PM_OP_PIECE] = {2},
+    [PM_OP_KNOT] = {1},
 };
 
 int pm_program_class_by(const pm_model *m, int program, const pm_program_rules *rules, const void *of)

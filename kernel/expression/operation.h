@@ -28,6 +28,8 @@ typedef struct pm_operation {
 
 extern const pm_operation pm_operations[PM_OPS];
 
+/* It reads the piecewise polynomial `arg` (expression/piecewise.h): its value depends on more than its operands. */
+static inline int pm_operation_of_table(int op) { return op >= PM_OP_PIECEWISE && op <= PM_OP_KNOT; }
 static inline int pm_operation_has(int op, int traits) { return (pm_operations[op].traits & traits) != 0; }
 
 /* A walk, at the instruction that pm_program_walk_next has come to. */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "expression/operation.h"
+#include "expression/piecewise.h"
 #include "expression/program_fold.h"
 #include "state/workspace.h"
 
@@ -39,6 +40,19 @@ static inline double pushed(const pm_program_walk *x, const double *param, const
     return x->op == PM_OP_MEASURE ? measured(w, x->arg) : w->result.out[x->arg];
 }
 
+enum { OF_TABLE = -1 }; /* beside how many operands an operation takes */
+
+/* The operation of an instruction that takes operands, on a[0], a[1] .. */
+static inline double operated(const pm_program_walk *x, const double *a)
+{
+    switch (pm_operation_of_table(x->op) ? OF_TABLE : x->takes) {
+    case 1: return pm_operations[x->op].one(*a);
+    case 2: return binary(x->op, a[0], a[1]);
+    case OF_TABLE: return pm_piecewise_operation(x->m, x->op, x->arg, a);
+    default: return a[0] != 0 ? a[1] : a[2];
+    }
+}
+
 /* Instructions as they stand in the table. */
 static double run_code(pm_program_walk x, const double *param, const double *value, pm_workspace *w)
 {
@@ -46,12 +60,7 @@ static double run_code(pm_program_walk x, const double *param, const double *val
     stack[0] = stack[1] = stack[2] = NAN; /* no valid code reads them before they are pushed */
     while (pm_program_walk_next(&x)) {
         double *a = stack + x.at;
-        switch (x.takes) {
-        case 0: *a = pushed(&x, param, value, w); break;
-        case 1: *a = pm_operations[x.op].one(*a); break;
-        case 2: *a = binary(x.op, a[0], a[1]); break;
-        default: *a = a[0] != 0 ? a[1] : a[2];
-        }
+        *a = x.takes == 0 ? pushed(&x, param, value, w) : operated(&x, a);
     }
     return stack[0];
 }
@@ -72,6 +81,10 @@ static double run_steps(pm_workspace *w, const pm_program_step *s, const pm_prog
             top--;
             *top = binary(s->op, top[0], top[1]);
             break;
+        case STEP_TABLE:
+            top -= pm_operations[s->op].takes - 1;
+            *top = pm_piecewise_operation(w->model, s->op, s->arg, top);
+            break;
         default: top -= 2; *top = top[0] != 0 ? top[1] : top[2];
         }
     return *top;
@@ -83,6 +96,20 @@ double pm_program_run(pm_workspace *w, int index)
     const int first = f->first[index], end = f->first[index + 1];
     if (w->numbers.is_folded && first < end) return run_steps(w, f->step + first, f->step + end);
     return run_code(pm_program_walk_begin(w->model, index), w->numbers.param, w->numbers.value, w);
+}
+
+int pm_program_outside(pm_workspace *w, int index, double *x)
+{
+    double stack[PM_STACK];
+    stack[0] = stack[1] = stack[2] = NAN;
+    for (pm_program_walk k = pm_program_walk_begin(w->model, index); pm_program_walk_next(&k);) {
+        double *a = stack + k.at;
+        *x = a[0];
+        if (k.takes == 0) *a = pushed(&k, w->numbers.param, w->numbers.value, w);
+        if (k.takes > 0) *a = operated(&k, a);
+        if (pm_operation_of_table(k.op) && isfinite(*x) && isnan(*a)) return k.arg;
+    }
+    return PM_NONE;
 }
 
 double pm_program_value(const pm_model *m, int index, const double *param, const double *value)
@@ -137,6 +164,9 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
         [PM_OP_VALUE] = first_value_allowed,
         [PM_OP_MEASURE] = is_value ? 0 : m->rows[PM_TABLE_MEASURE],
         [PM_OP_ANSWER] = is_value ? 0 : answered_before(m, index),
+        [PM_OP_PIECEWISE] = m->rows[PM_TABLE_PIECEWISE],
+        [PM_OP_PIECE] = m->rows[PM_TABLE_PIECEWISE],
+        [PM_OP_KNOT] = m->rows[PM_TABLE_PIECEWISE],
     };
     int depth = 0;
     for (int i = first; i < first + length; i++) {
@@ -144,7 +174,7 @@ static int validate_one(const pm_model *m, int index, int first_value_allowed, p
         const int op = code[PM_CODE_OP], arg = code[PM_CODE_ARG];
         if (op < 0 || op >= PM_OPS) return pm_bad_table(where, PM_TABLE_PROGRAM, index, op, PM_OPS);
         const int takes = pm_operations[op].takes;
-        if (takes == 0 && (arg < 0 || arg >= limit[op]))
+        if ((takes == 0 || pm_operation_of_table(op)) && (arg < 0 || arg >= limit[op]))
             return pm_bad_table(where, PM_TABLE_PROGRAM, index, arg, limit[op]);
         if (depth < takes) return pm_bad_table(where, PM_TABLE_PROGRAM, index, depth, takes);
         depth += 1 - takes;

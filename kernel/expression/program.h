@@ -8,6 +8,8 @@
 /* Program `index` with the numbers of the case at w->frame, which must be filled to model->programs.level[index].  Not a
  * number where the expression has no value. */
 double pm_program_run(pm_workspace *w, int index);
+/* The table that it reads there where that has no value (PM_BEYOND_NONE), and the argument *x; PM_NONE: it has one. */
+int pm_program_outside(pm_workspace *w, int index, double *x);
 /* That of a value (it reads no measure and no answer), with the values that are worked out so far; param[nparam]. */
 double pm_program_value(const pm_model *m, int index, const double *param, const double *value);
 

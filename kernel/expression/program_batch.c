@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "expression/operation.h"
+#include "expression/piecewise.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
 #include "numerics/chebyshev_nodes.h"
@@ -62,7 +63,7 @@ int pm_program_switches(const pm_model *m, int index)
     for (int k = f->first[index]; k < f->first[index + 1]; k++) {
         const pm_program_step *s = &f->step[k];
         const int operates = s->kind == STEP_UNARY || s->kind == STEP_BINARY || s->kind == STEP_WITH_NUMBER;
-        if (operates && s->op == PM_OP_FLOOR) return 0;
+        if ((operates && s->op == PM_OP_FLOOR) || s->op == PM_OP_PIECEWISE) return 0;
         count += operates && is_switch(s->op);
     }
     return count <= PM_SWITCHES ? count : 0;
@@ -107,6 +108,15 @@ static void operate(const pm_program_step *s, int n, double *a, const double *b,
         combine(s->op, n, a, b, step);
 }
 
+/* An operation that reads a table. */
+static void look_up(const pm_model *m, const pm_program_step *s, int n, double *a, const double *b)
+{
+    for (int k = 0; k < n; k++) {
+        const double operand[2] = {a[k], b[k]};
+        a[k] = pm_piecewise_operation(m, s->op, s->arg, operand);
+    }
+}
+
 void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, const double *measured,
                           pm_switches *switches, double *value)
 {
@@ -132,6 +142,12 @@ void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, c
             top--;
             operate(s, n, stack[top], stack[top + 1], 1, switches);
             break;
+        case STEP_TABLE: {
+            const int two = pm_operations[s->op].takes == 2;
+            top -= two;
+            look_up(w->model, s, n, stack[top], stack[top + two]);
+            break;
+        }
         default: top -= 2; choose(n, stack[top], stack[top + 1], stack[top + 2]);
         }
     if (value) memcpy(value, stack[0], (size_t)n * sizeof(double));

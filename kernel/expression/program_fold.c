@@ -55,7 +55,8 @@ static int number_of(const pm_model *m, pm_program_fold *f, pm_program_part part
 static pm_program_step step_of(const int32_t *code)
 {
     const int op = code[PM_CODE_OP];
-    pm_program_step s = {.op = op, .arg = code[PM_CODE_ARG]};
+    pm_program_step s = {.op = op, .arg = code[PM_CODE_ARG], .kind = STEP_TABLE};
+    if (pm_operation_of_table(op)) return s;
     switch (pm_operations[op].takes) {
     case 0: s.kind = op == PM_OP_MEASURE ? STEP_MEASURE : STEP_ANSWER; break;
     case 1: s.kind = STEP_UNARY; break;

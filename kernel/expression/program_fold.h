@@ -11,7 +11,8 @@ enum pm_step_kind {
     STEP_UNARY = 3,       /* op */
     STEP_BINARY = 4,      /* op */
     STEP_WITH_NUMBER = 5, /* op with number[arg] as its second operand */
-    STEP_SELECT = 6
+    STEP_SELECT = 6,
+    STEP_TABLE = 7 /* op that reads the piecewise polynomial arg */
 };
 
 typedef struct pm_program_step {

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "expression/operation.h"
+#include "expression/piecewise.h"
 #include "expression/program.h"
 
 typedef struct pm_timed {
@@ -56,6 +57,17 @@ static pm_timed binary(int op, pm_timed a, pm_timed b)
     return (pm_timed){x, rate};
 }
 
+/* x and the number of a piece. */
+static pm_timed look_up(const pm_program_walk *x, const pm_timed *a)
+{
+    const pm_piecewise p = pm_piecewise_of(x->m, x->arg);
+    if (x->op == PM_OP_KNOT) return (pm_timed){pm_piecewise_begin(&p, round(a->x)), 0};
+    const double n = x->op == PM_OP_PIECE ? round(a[1].x) : pm_piecewise_number(&p, a->x);
+    double derivative[3];
+    const double value = pm_piecewise_piece(&p, n, a->x, derivative);
+    return (pm_timed){value, a->rate == 0 ? 0 : derivative[0] * a->rate};
+}
+
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
                           double *rate)
 {
@@ -64,6 +76,10 @@ double pm_program_of_time(const pm_model *m, int index, const double *param, con
         (pm_timed){NAN, NAN}; /* no valid code reads them before they are pushed */
     for (pm_program_walk x = pm_program_walk_begin(m, index); pm_program_walk_next(&x);) {
         pm_timed *a = stack + x.at;
+        if (pm_operation_of_table(x.op)) {
+            *a = look_up(&x, a);
+            continue;
+        }
         switch (x.takes) {
         case 0: /* check.c allows no measure but the time */
             *a =

@@ -17,6 +17,7 @@
 #include "impact/contact_modes.h"
 #include "impact/impact.h"
 #include "impact/switches.h"
+#include "impact/table_ends.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -233,7 +234,8 @@ int pm_instant_start(pm_workspace *w)
     pm_trigger_mark_start(w);
     pm_history_open(w);
     int status = act(w, 1, &ended);
-    if (!status) status = pm_switches_settle(w);
+    if (!status) status = pm_switches_settle(w, 0);
+    if (!status) status = pm_table_ends_leave(w);
     if (w->result.count[PM_COUNT_JUMPS] == jumps) pm_history_take_back(w->record.history);
     return status;
 }
@@ -295,16 +297,17 @@ int pm_instant_full(pm_workspace *w, int *ended)
     if (!status) status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
     if (!status) status = pm_switches_check(w);
-    if (!status) status = pm_switches_settle(w);
+    if (!status) status = pm_switches_settle(w, 0);
     if (!status) status = pm_event_check_strands(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
     const int located = pm_event_evidence_located(w);
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     if (!status) status = act(w, 0, ended);
     if (located && w->result.count[PM_COUNT_JUMPS] > jumps) pm_event_evidence_jump(w);
-    if (!status && !*ended) status = pm_switches_settle(w);
+    if (!status && !*ended) status = pm_switches_settle(w, 0);
     if (status || *ended) return status;
     status = pm_instant_finish(w, ended);
+    if (!status && !*ended) status = pm_table_ends_leave(w);
     return status ? status : pm_history_append(w, 2);
 }
 

@@ -6,6 +6,8 @@
 #include "elements/trigger.h"
 #include "equations/saddle.h"
 #include "events/event.h"
+#include "expression/piecewise.h"
+#include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 
@@ -17,8 +19,8 @@ static int switch_of(const pm_model *m, int trigger)
                                                                                      : PM_NONE;
 }
 
-/* The value of the switch a little later, by the accelerations of the frame. */
-static int look_ahead(pm_workspace *w, int trigger, double *value)
+/* The value of a program a little later, by the accelerations of the frame. */
+static int look_ahead(pm_workspace *w, int program, double *value)
 {
     const double after = PM_SWITCH_LOOK * w->numbers.size / w->numbers.speed;
     pm_state_copy(&w->probe, &w->state);
@@ -28,7 +30,7 @@ static int look_ahead(pm_workspace *w, int trigger, double *value)
         w->probe.v[i] += after * w->frame.a[i];
     }
     pm_frame_look_state(&w->frame, &w->probe);
-    *value = pm_trigger_program(w, trigger);
+    *value = pm_program_run(w, program);
     pm_frame_look_state(&w->frame, &w->state);
     return pm_saddle_accelerate(w);
 }
@@ -38,15 +40,32 @@ static int side_of(double x) { return x > 0; }
 /* The side to which the motion leads is kept if the force on it leads there, too. */
 static int settle(pm_workspace *w, int trigger, int event)
 {
+    const int program = PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM];
     const double here = pm_trigger_program(w, trigger);
     double ahead, otherwise;
-    int status = look_ahead(w, trigger, &ahead);
+    int status = look_ahead(w, program, &ahead);
     if (status || fabs(here) > PM_SWITCH_ON_ZERO * fabs(ahead - here) || ahead == here) return status;
     if (side_of(ahead) == w->firing.side[event]) return PM_OK;
     w->firing.side[event] = !w->firing.side[event];
-    if ((status = pm_saddle_accelerate(w)) || (status = look_ahead(w, trigger, &otherwise))) return status;
+    if ((status = pm_saddle_accelerate(w)) || (status = look_ahead(w, program, &otherwise))) return status;
     if (side_of(otherwise) == w->firing.side[event] || otherwise == here) return PM_OK;
     return pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_EVENT, event, 1, 1);
+}
+
+/* The piece of a table into which the motion leads: what tables give is continuous, or jumps at a place alone. */
+static int settle_piece(pm_workspace *w, int reading, int goes_on)
+{
+    const int32_t *e = PM_READING_ROW(w->model, reading);
+    const pm_piecewise p = pm_piecewise_of(w->model, e[PM_READING_TABLE]);
+    double *piece = &w->firing.side[e[PM_READING_EVENT]], ahead;
+    const double here = pm_trigger_argument(w, reading), before = *piece;
+    int status = look_ahead(w, e[PM_READING_PROGRAM], &ahead);
+    if (status) return status;
+    const double nothing = fmax(PM_SWITCH_ON_ZERO * fabs(ahead - here), PM_ON_ZERO * fabs(here));
+    const double there = pm_piecewise_number_ahead(&p, here, ahead - here, nothing, before);
+    if (!goes_on && p.beyond == PM_BEYOND_NONE && (there < 0 || there >= p.pieces)) return PM_OK;
+    *piece = there;
+    return *piece == before ? PM_OK : pm_saddle_accelerate(w);
 }
 
 static int has_switched(const pm_workspace *w)
@@ -77,12 +96,14 @@ void pm_switches_begin(pm_workspace *w)
     pm_trigger_take_sides(w);
 }
 
-int pm_switches_settle(pm_workspace *w)
+int pm_switches_settle(pm_workspace *w, int goes_on)
 {
     int status = PM_OK;
     for (int i = 0; !status && i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int event = switch_of(w->model, i);
         if (event != PM_NONE) status = settle(w, i, event);
     }
+    for (int i = 0; !status && i < w->model->rows[PM_TABLE_READING]; i++)
+        status = settle_piece(w, i, goes_on);
     return status;
 }

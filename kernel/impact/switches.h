@@ -13,7 +13,8 @@ void pm_switches_begin(pm_workspace *w);
  * passed. */
 int pm_switches_check(pm_workspace *w);
 /* Sides of the switches that are on zero, by the motion that begins there; the frame looks at w->state (DYNAMIC), also
- * afterwards.  A force pushes back to its switch from either side. */
-int pm_switches_settle(pm_workspace *w);
+ * afterwards.  A force pushes back to its switch from either side.  Pieces of tables likewise; the last
+ * piece is left where the motion goes on from here. */
+int pm_switches_settle(pm_workspace *w, int goes_on);
 
 #endif

@@ -27,6 +27,7 @@
 #define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails */
 #define PM_LEMKE_PIVOT 1e-11 /* of the column's largest entry, at least 1: no pivot; larger: bases are passed over */
 #define PM_LEMKE_PIVOTS 20   /* for each unknown; more would only put off the failure */
+#define PM_PIECES_BOUNDED 16 /* of a piecewise polynomial: over more of them it has no bounds; more: costs time, and they are halved anyway */
 #define PM_INTERVAL_ROUNDING 1e-15 /* of a bound: widens it by some roundings; more: needless cuts, less: not rigorous */
 #define PM_CHEBYSHEV_SMOOTH 1e-3 /* of the values: tail of what has no corners; more would miss some */
 

@@ -116,6 +116,8 @@ static int assemble(pm_workspace *w, const double *param, pm_start_report *repor
     if (status) return status;
     pm_fixed_bodies_find(w);
     pm_gap_bounds_drop(w);
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_trigger_take_sides(w);
     set_speed_scale(w);
     if ((status = open_ledger(w))) return status;
     pm_frame_look_state(&w->frame, &w->state);

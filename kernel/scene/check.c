@@ -6,6 +6,7 @@
 #include "elements/joint.h"
 #include "elements/measure.h"
 #include "expression/operation.h"
+#include "expression/piecewise.h"
 #include "expression/program.h"
 #include "scene/reference.h"
 
@@ -42,7 +43,10 @@ static const pm_span spans[] = {
     {PM_TABLE_ASK, PM_ASK_KIND, 0, PM_ASK_KINDS - 1, PM_ASK_KINDS},
     {PM_TABLE_UNTIL, PM_UNTIL_NTH, 1, INT32_MAX, 1},
     {PM_TABLE_EVENT, PM_EVENT_NTH, 0, INT32_MAX, 0},
-    {PM_TABLE_EVENT, PM_EVENT_EFFECT, PM_EFFECT_NONE, PM_EFFECT_SWITCH, PM_EFFECT_SWITCH},
+    {PM_TABLE_EVENT, PM_EVENT_EFFECT, PM_EFFECT_NONE, PM_EFFECTS - 1, PM_EFFECTS},
+    {PM_TABLE_PIECEWISE, PM_PIECEWISE_KNOTS, 2, INT32_MAX / 8, 2},
+    {PM_TABLE_PIECEWISE, PM_PIECEWISE_DEGREE_OF, 0, PM_PIECEWISE_DEGREE, PM_PIECEWISE_DEGREE},
+    {PM_TABLE_PIECEWISE, PM_PIECEWISE_BEYOND, 0, PM_BEYOND_KINDS - 1, PM_BEYOND_KINDS},
     {PM_TABLE_ACTION, PM_ACTION_KIND, 0, PM_ACTION_KINDS - 1, PM_ACTION_KINDS},
     {PM_TABLE_SETTING, PM_SETTING_ROUTE, 0, PM_ROUTES - 1, PM_ROUTES},
     {PM_TABLE_SETTING, PM_SETTING_ESTIMATE, 0, 1, 1},
@@ -301,6 +305,7 @@ int pm_check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_actions(m, where);
     if (!status) status = check_find(m, where);
     if (!status) status = pm_measure_validate(m, where);
+    if (!status) status = pm_piecewise_check(m, where);
     if (!status) status = pm_program_validate(m, where);
     if (!status) status = check_forces(m, where); /* look into programs */
     if (!status) status = check_drives(m, where);

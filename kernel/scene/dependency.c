@@ -159,15 +159,21 @@ static int trigger_is_needed(const pm_model *m, const pm_dependency *x, int tabl
     return x->row[PM_TABLE_EVENT][pm_model_row(m, table, i, PM_TRIGGER_COLUMNS)[PM_TRIGGER_EVENT]];
 }
 
+static int reading_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
+{
+    return x->row[PM_TABLE_EVENT][pm_model_row(m, table, i, PM_READING_COLUMNS)[PM_READING_EVENT]];
+}
+
 static const struct {
     int table;
     int (*is_needed)(const pm_model *m, const pm_dependency *x, int table, int i);
 } needs[] = {
-    {PM_TABLE_POINT, mark_is_needed},    {PM_TABLE_LINE, mark_is_needed},
-    {PM_TABLE_CIRCLE, mark_is_needed},   {PM_TABLE_PATTERN, mark_is_needed},
-    {PM_TABLE_JOINT, element_is_needed}, {PM_TABLE_CONTACT, element_is_needed},
-    {PM_TABLE_FORCE, element_is_needed}, {PM_TABLE_START, start_is_needed},
-    {PM_TABLE_ACTION, action_is_needed}, {PM_TABLE_TRIGGER, trigger_is_needed},
+    {PM_TABLE_POINT, mark_is_needed},      {PM_TABLE_LINE, mark_is_needed},
+    {PM_TABLE_CIRCLE, mark_is_needed},     {PM_TABLE_PATTERN, mark_is_needed},
+    {PM_TABLE_JOINT, element_is_needed},   {PM_TABLE_CONTACT, element_is_needed},
+    {PM_TABLE_FORCE, element_is_needed},   {PM_TABLE_START, start_is_needed},
+    {PM_TABLE_ACTION, action_is_needed},   {PM_TABLE_TRIGGER, trigger_is_needed},
+    {PM_TABLE_READING, reading_is_needed},
 };
 
 static int add_needed(const pm_model *m, pm_dependency *x)

@@ -88,6 +88,9 @@ static int combine(const pm_program_walk *x, int a, int b)
     case PM_OP_SUB: return a > b ? a : b;
     case PM_OP_MUL: return bounded(a + b);
     case PM_OP_DIV: return b == 0 ? a : PM_DEGREE_OTHER;
+    case PM_OP_PIECE:
+        return bounded(
+            a * pm_model_row(x->m, PM_TABLE_PIECEWISE, x->arg, PM_PIECEWISE_COLUMNS)[PM_PIECEWISE_DEGREE_OF]);
     default:
         if (squares(x)) return bounded(2 * a);
         return a == 0 && b == 0 ? 0 : PM_DEGREE_OTHER;

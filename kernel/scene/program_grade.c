@@ -10,11 +10,20 @@
 #include "expression/operation.h"
 #include "expression/program_class.h"
 
+/* The piece of a table in which its argument lies: beside that it tells nothing. */
+static int is_of_piece(const pm_model *m, int measure)
+{
+    const int32_t *e = PM_MEASURE_ROW(m, measure);
+    return e[PM_MEASURE_KIND] == PM_MEASURE_EVENT_SIDE &&
+           PM_EVENT_ROW(m, e[PM_MEASURE_A])[PM_EVENT_EFFECT] == PM_EFFECT_PIECE;
+}
+
 /* ---- what it is a function of ---- */
 static int read_class(const pm_program_walk *x, const void *none)
 {
     (void)none;
     if (x->op != PM_OP_MEASURE) return x->op == PM_OP_ANSWER ? PM_CLASS_MOTION : PM_CLASS_CONSTANT;
+    if (is_of_piece(x->m, x->arg)) return PM_CLASS_CONSTANT;
     const int kind = PM_MEASURE_ROW(x->m, x->arg)[PM_MEASURE_KIND];
     const int spins = kind == PM_MEASURE_SPIN_OMEGA || kind == PM_MEASURE_SPIN_MOMENTUM;
     return spins && x->m->spin_z != PM_NONE ? PM_CLASS_MOTION : pm_measure_kind(kind)->class;
@@ -112,6 +121,7 @@ static int read_energy(const pm_program_walk *x, const void *none)
 {
     (void)none;
     if (x->op != PM_OP_MEASURE) return x->op == PM_OP_ANSWER ? PM_ENERGY_CLASS_UNKNOWN : PM_ENERGY_CLASS_NONE;
+    if (is_of_piece(x->m, x->arg)) return PM_ENERGY_CLASS_NONE;
     const pm_measure_ops *ops = pm_measure_ops_of(x->m, x->arg);
     const int part = ops->vector ? PM_MEASURE_ROW(x->m, x->arg)[PM_MEASURE_PART] : PM_PART_NONE;
     if (part == PM_PART_NORM && ops->energy == PM_ENERGY_CLASS_LINEAR) return PM_ENERGY_CLASS_CONVEX;

@@ -4,6 +4,7 @@
 #include "elements/force.h"
 #include "elements/joint.h"
 #include "elements/measure.h"
+#include "expression/operation.h"
 
 const int pm_table_columns[PM_TABLES] = {
     [PM_TABLE_CODE] = PM_CODE_COLUMNS,
@@ -30,6 +31,8 @@ const int pm_table_columns[PM_TABLES] = {
     [PM_TABLE_SPIN] = PM_SPIN_COLUMNS,
     [PM_TABLE_SECOND] = PM_SECOND_COLUMNS,
     [PM_TABLE_ACTION] = PM_ACTION_COLUMNS,
+    [PM_TABLE_PIECEWISE] = PM_PIECEWISE_COLUMNS,
+    [PM_TABLE_READING] = PM_READING_COLUMNS,
 };
 
 /* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
@@ -104,6 +107,9 @@ static const pm_range ranges[] = {
     {PM_TABLE_ACTION, PM_ACTION_EVENT, PM_TABLE_EVENT, 0, 1},
     {PM_TABLE_ACTION, PM_ACTION_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_ACTION, PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_READING, PM_READING_EVENT, PM_TABLE_EVENT, 0, 0},
+    {PM_TABLE_READING, PM_READING_TABLE, PM_TABLE_PIECEWISE, 0, 0},
+    {PM_TABLE_READING, PM_READING_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
 };
 
 /* The tables of its partners, by kind. */
@@ -202,7 +208,8 @@ static int of_code(const int32_t *e, pm_reference *out)
     const int op = e[PM_CODE_OP];
     if (op == PM_OP_VALUE) *out = (pm_reference){.column = PM_CODE_ARG, .of = PM_TABLE_VALUE};
     if (op == PM_OP_MEASURE) *out = (pm_reference){.column = PM_CODE_ARG, .of = PM_TABLE_MEASURE};
-    return op == PM_OP_VALUE || op == PM_OP_MEASURE;
+    if (pm_operation_of_table(op)) *out = (pm_reference){.column = PM_CODE_ARG, .of = PM_TABLE_PIECEWISE};
+    return op == PM_OP_VALUE || op == PM_OP_MEASURE || pm_operation_of_table(op);
 }
 
 static int of_measure(const int32_t *e, pm_reference *out)

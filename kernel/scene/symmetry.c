@@ -244,9 +244,10 @@ static pm_entry unary(int op, pm_entry a)
     return op == PM_OP_NEG ? shifted(-a.number) : lost;
 }
 
-static pm_entry choice(const pm_entry *a)
+/* A choice, or a table, keeps its value where all operands do. */
+static pm_entry look_up(const pm_entry *a, int takes)
 {
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < takes; k++)
         if (a[k].response > SAME_VALUE) return lost;
     return same_value;
 }
@@ -264,11 +265,15 @@ int pm_symmetry_program(const pm_frame *frame, const pm_symmetry_shift *shift, i
     stack[0] = stack[1] = stack[2] = lost; /* no valid code reads them before they are pushed */
     for (pm_program_walk x = pm_program_walk_begin(frame->model, program); pm_program_walk_next(&x);) {
         pm_entry *a = stack + x.at;
+        if (pm_operation_of_table(x.op)) {
+            *a = look_up(a, x.takes);
+            continue;
+        }
         switch (x.takes) {
         case 0: *a = pushed(frame, shift, &x); break;
         case 1: *a = unary(x.op, *a); break;
         case 2: *a = binary(x.op, a[0], a[1]); break;
-        default: *a = choice(a);
+        default: *a = look_up(a, 3);
         }
     }
     *change = stack[0].response == SHIFTED ? stack[0].number : 0;

@@ -98,6 +98,7 @@ static inline const int32_t *pm_model_row(const pm_model *m, int table, int row,
 #define PM_VARY_ROW(m, i) pm_model_row(m, PM_TABLE_VARY, i, PM_VARY_COLUMNS)
 #define PM_SECOND_ROW(m, i) pm_model_row(m, PM_TABLE_SECOND, i, PM_SECOND_COLUMNS)
 #define PM_CONDITION_ROW(m, i) pm_model_row(m, PM_TABLE_CONDITION, i, PM_CONDITION_COLUMNS)
+#define PM_READING_ROW(m, i) pm_model_row(m, PM_TABLE_READING, i, PM_READING_COLUMNS)
 #define PM_EVENT_ROW(m, i) pm_model_row(m, PM_TABLE_EVENT, i, PM_EVENT_COLUMNS)
 #define PM_ACTION_ROW(m, i) pm_model_row(m, PM_TABLE_ACTION, i, PM_ACTION_COLUMNS)
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])

@@ -22,6 +22,7 @@ static const char *text_of(enum pm_status status)
     case PM_ROUGH_IMPOSSIBLE: return "no motion keeps a rough contact from slipping";
     case PM_ENDS_SINGULAR: return "a singular position was reached before the end of the run";
     case PM_STRAND_ENDS: return "a cord has no free length left";
+    case PM_TABLE_ENDS: return "a table of values has no value there";
     case PM_ALTERNATES: return "contacts change in turn and no time passes";
     case PM_UNDECIDED: return "the errors of the run might have changed a decision on the way";
     case PM_NO_TIME_ROUTE: return "a route in time was asked for, and no time passes";

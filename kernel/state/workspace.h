@@ -159,7 +159,8 @@ typedef struct pm_firing {
     int64_t *seen;          /* [nevent] how often its triggers were marked */
     unsigned char *counted; /* [nevent] enum pm_counted, at this instant */
     double *time;           /* [nevent] s, when it fired last; not a number before */
-    unsigned char *side;    /* [nevent] of a switch of forces: its program counts as positive */
+    double *
+        side; /* [nevent] of a switch of forces: 1 if its program counts as positive; of a table: the piece */
     double jumped; /* s, when velocities jumped last at an instant that was located; not a number before */
 } pm_firing;
 

@@ -87,4 +87,22 @@ FAULTS = [
         "least = e[PM_ASK_KIND] == PM_ASK_END ? e[PM_ASK_OUT] : 0;",
         "least = m->nout;",
     ),
+    Fault(
+        "tables: a knot belongs to the piece below it",
+        "expression/piecewise.c",
+        "if (p->knot[middle] <= x)",
+        "if (p->knot[middle] < x - 1)",
+    ),
+    Fault(
+        "tables: beyond its end a table that is held goes on",
+        "expression/piecewise.c",
+        "p->beyond == PM_BEYOND_EXTEND ? at_end[0] : 0",
+        "p->beyond != PM_BEYOND_NONE ? at_end[0] : 0",
+    ),
+    Fault(
+        "tables: the rate of a table that drives is that of its argument",
+        "expression/program_rate.c",
+        "derivative[0] * a->rate",
+        "a->rate",
+    ),
 ]

@@ -17,6 +17,7 @@ from planemotion.language.tree import WRITTEN_FUNCTIONS
 from planemotion.language.units import factor
 from planemotion.model import tables, words
 from planemotion.model.element import Element, Table
+from planemotion.model.tabulated import Tabulated
 from planemotion.reading.scene import SceneData
 from planemotion.report.meaning import Meaning, meaning_of, meanings
 from planemotion.report.schema import schema
@@ -24,7 +25,7 @@ from planemotion.report.schema import schema
 # Tables whose keys are those of other tables.
 BASES = (tables.Kind, tables.Contact, Table)
 TABLES: list[type[Table]] = [
-    *(SceneData, Bearing, Element),
+    *(SceneData, Bearing, Element, Tabulated),
     *(
         model
         for model in vars(tables).values()

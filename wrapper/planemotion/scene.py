@@ -389,7 +389,7 @@ class Scene:
                 raise SceneError(reason, file=self.file, path=name)
             try:
                 self._check_not_sought(key)
-                changed = override(declared, key, value)
+                changed = override(declared, key, value, self.data.book)
             except SceneError as error:
                 raise error.at(file=self.file) from None
             self._update("parameters", {key: changed})

@@ -16,7 +16,6 @@ from ..geometry.packing import Tables
 from ..geometry.partners import partner
 from ..language.dimensions import ANGULAR_IMPULSE, ENERGY, IMPULSE, Dimension
 from ..language.leaves import substitute
-from ..language.parser import parse
 from ..language.tree import Binary, Name, Node, Number, negative
 from ..model import words
 from ..model.readers import Value, Vector
@@ -185,7 +184,7 @@ def add_nudge(text: str, measures: Measures, tables: Tables, where: str) -> int:
 
 
 def _program(text: str, measures: Measures, tables: Tables, where: str) -> int:
-    node = parse(text)
+    node = measures.reader.parameters.parse(text)
     if not isinstance(node, Binary) or node.operator not in ("<", ">") or not _is_nothing(node.right):
         raise SceneError('a side is wanted: a velocity < 0 or > 0, such as "AB.omega < 0"')
     left = measures.lower(node.left, where).node

@@ -6,31 +6,39 @@ from collections.abc import Callable, Iterator, Mapping
 
 from ..base.errors import SceneError
 from ..language.leaves import names
-from ..language.parser import parse
-from ..language.tree import Name
+from ..language.tree import Name, Node
 from ..model.tables import ASK_WORDS, Ask, At
 
 
-def in_order(asks: Mapping[str, Ask], all_asks: Mapping[str, Ask], knows: Callable[[str], bool]) -> list[str]:
+def in_order(
+    asks: Mapping[str, Ask],
+    all_asks: Mapping[str, Ask],
+    knows: Callable[[str], bool],
+    read: Callable[[str, str], Node],
+) -> list[str]:
     """The keys of `asks`, each after those that it reads.
 
     `all_asks`: those of other runs, too; `knows`: whether a name stands for something else, which goes first.
-    Raises SceneError where an ask reads what it cannot.
+    `read`: the expression of a text and its key path.  Raises SceneError where an ask reads what it cannot.
     """
-    read = {key: _read_by(key, asks, all_asks, knows) for key in asks}
+    found = {key: _read_by(key, asks, all_asks, knows, read) for key in asks}
     order: dict[str, None] = {}
     for key in asks:
-        _place(key, read, order, ())
+        _place(key, found, order, ())
     return list(order)
 
 
 def _read_by(
-    key: str, asks: Mapping[str, Ask], all_asks: Mapping[str, Ask], knows: Callable[[str], bool]
+    key: str,
+    asks: Mapping[str, Ask],
+    all_asks: Mapping[str, Ask],
+    knows: Callable[[str], bool],
+    read: Callable[[str, str], Node],
 ) -> list[str]:
     """The asks that one ask reads."""
     found = []
     for written, where in _expressions(asks[key], f"ask.{key}"):
-        for leaf in names(parse(written, where=where)):
+        for leaf in names(read(written, where)):
             if not isinstance(leaf, Name) or leaf.text not in all_asks or knows(leaf.text):
                 continue
             reason = _refusal(asks[key], leaf.text, asks)

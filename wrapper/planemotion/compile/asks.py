@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from .. import _layout as layout
@@ -11,8 +11,7 @@ from ..base.errors import SceneError, nearest
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..language.dimensions import DIMENSIONLESS, TIME, Dimension
-from ..language.parser import parse
-from ..language.tree import ONE, ZERO, is_condition, select
+from ..language.tree import ONE, ZERO, Node, is_condition, select
 from ..language.units import factor
 from ..model.readers import Value
 from ..model.tables import ASK_INTEGRALS, Ask, At, Grid
@@ -62,12 +61,16 @@ class Asks:
         measures: Measures,
         reader: Reader,
         tables: Tables,
+        watched: Callable[[Node, str], Node],
         firings: int = EACH_FIRINGS,
     ) -> None:
         """`bounds`: how often an event can fire before the run ends, where that is known.
 
+        `watched`: what is looked at of an expression all along.
+
         `firings`: how long an answer "each EVENT" may be of any other event."""
         self.firings = firings
+        self.watched = watched
         self.events = events
         self.bounds = bounds
         self.measures = measures
@@ -90,7 +93,8 @@ class Asks:
         else:
             row, count = self._instant(word, ask.at, f"{path}.at")
         unit, size = _unit(ask.unit, reading.dimension, path)
-        row[layout.PM_ASK_PROGRAM] = self.tables.program(reading.node, path)
+        node = reading.node if word == "of" else self.watched(reading.node, path)
+        row[layout.PM_ASK_PROGRAM] = self.tables.program(node, path)
         row[layout.PM_ASK_OUT] = self._width
         row[layout.PM_ASK_COUNT] = count
         self.tables.add(layout.PM_TABLE_ASK, row, path)
@@ -123,11 +127,13 @@ class Asks:
         if ask.during is None:
             return Reading(reading.node, dimension), row
         where = f"{path}.during"
-        if not is_condition(parse(ask.during, where=where)):
+        if not is_condition(self.reader.parameters.parse(ask.during, where)):
             reason = 'a condition is wanted, such as "t < (2 s)"'
             raise SceneError(reason, path=where, value=ask.during)
         condition = self._read(ask.during, where)
-        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(select(condition.node, ONE, ZERO), where)
+        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(
+            self.watched(select(condition.node, ONE, ZERO), where), where
+        )
         return Reading(select(condition.node, reading.node, ZERO), dimension), row
 
     def _instant(self, word: str, at: str | At | None, where: str) -> tuple[dict[int, int], int]:
@@ -150,14 +156,18 @@ class Asks:
         word = "max" if at.max is not None else "min"
         row = _row(kind)
         extreme = self.measures.lower(getattr(at, word), f"{where}.{word}")
-        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(extreme.node, f"{where}.{word}")
+        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(
+            self.watched(extreme.node, f"{where}.{word}"), f"{where}.{word}"
+        )
         return row, 1
 
     def _grid(self, each: Value, grid: Grid, where: str) -> tuple[dict[int, int], int]:
         reading = self.measures.lower(each, f"{where}.each")
         nodes = grid_nodes(self.reader, grid, f"{where}.values", reading)
         row = _row(layout.PM_ASK_GRID)
-        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(reading.node, f"{where}.each")
+        row[layout.PM_ASK_PROGRAM_2] = self.tables.program(
+            self.watched(reading.node, f"{where}.each"), f"{where}.each"
+        )
         indices = [self.tables.new_value(node, f"{where}.values[{i}]") for i, node in enumerate(nodes)]
         row[layout.PM_ASK_FIRST_VALUE] = indices[0]
         return row, len(nodes)

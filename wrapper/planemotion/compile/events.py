@@ -8,14 +8,13 @@ strikes") or of a joint with friction ("guide slips"), "start", "rest" or "BODY 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from .. import _layout as layout
 from ..base.errors import Faults, SceneError
 from ..geometry.packing import Tables
 from ..language.homogeneity import dimension
 from ..language.leaves import substitute
-from ..language.parser import parse
 from ..language.tree import Binary, Name, Node
 from ..model import words
 from ..model.tables import Event
@@ -53,10 +52,18 @@ def firing(text: str, events: Mapping[str, int], where: str) -> tuple[int, int |
 class Instants:
     """Adds events, triggers and the end of the run to the tables."""
 
-    def __init__(self, events: Mapping[str, int], measures: Measures, tables: Tables) -> None:
+    def __init__(
+        self,
+        events: Mapping[str, int],
+        measures: Measures,
+        tables: Tables,
+        watched: Callable[[Node, str], Node],
+    ) -> None:
+        """`watched`: what is looked at of an expression all along."""
         self.events = events
         self.measures = measures
         self.tables = tables
+        self.watched = watched
 
     def add_events(self, events: Mapping[str, Event]) -> None:
         """Triggers of the named events; their rows are there already."""
@@ -125,13 +132,14 @@ class Instants:
         every = _EVERY.fullmatch(text)
         if every is not None:
             return layout.PM_TRIGGER_EVERY, self._every(every[1], every[2], where), (nothing,)
-        node = parse(text)
+        node = self.measures.reader.parameters.parse(text)
         if not isinstance(node, Binary) or node.operator not in _COMPARISON:
             raise SceneError(self._wanted(node))
         dimension(node, self.measures.dimension_of)
         difference = self.measures.lower(node.left, where).node - self.measures.lower(node.right, where).node
         self._moves(difference)
-        return _COMPARISON[node.operator], self.tables.program(difference, where), (nothing,)
+        program = self.tables.program(self.watched(difference, where), where)
+        return _COMPARISON[node.operator], program, (nothing,)
 
     def _wanted(self, node: Node) -> str:
         if isinstance(node, Binary) and node.operator in ("<=", ">="):
@@ -199,7 +207,7 @@ class Instants:
             reason = f"{measure} is {quantity.dimension.phrase}, {step} is {size.dimension.phrase}"
             raise SceneError(f"{reason}; they must be of one kind")
         self._moves(quantity.node)
-        return self.tables.program(quantity.node / size.node, where)
+        return self.tables.program(self.watched(quantity.node / size.node, where), where)
 
     def _moves(self, node: Node) -> None:
         """Raises SceneError if a condition has nothing of the motion in it."""

@@ -20,7 +20,6 @@ from ..geometry.parameters import Reader
 from ..language.dimensions import DIMENSIONLESS
 from ..language.homogeneity import dimension
 from ..language.leaves import names
-from ..language.parser import parse
 from ..language.tree import Binary, Name, Node, Number, Unary
 from ..model.readers import Value
 from ..model.tables import Find
@@ -147,7 +146,7 @@ class Finds:
         happens = _HAPPENS.fullmatch(text)
         if happens is not None:
             return layout.PM_CONDITION_HOLDS, self._count(happens[1], path), None
-        node = parse(text)
+        node = self.measures.reader.parameters.parse(text)
         if not _is_truth(node):
             raise SceneError(
                 'a condition is wanted: "A = B", "A > B", "A < B", several of them joined by and, or, not; '

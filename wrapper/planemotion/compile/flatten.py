@@ -132,7 +132,7 @@ class _Flattener:
         declared = run_parameters(data, self.run)
         self.find = data.find_of(self.run)
         self.varied = self.find[0].vary if self.find is not None else {}
-        self.parameters = Parameters(declared, {*data.sweep.grids, *self.varied})
+        self.parameters = Parameters(declared, {*data.sweep.grids, *self.varied}, data.book)
         self.reader = Reader(self.parameters)
         self.tables = Tables(self.parameters)
         self.actions = self._active_actions()
@@ -143,8 +143,8 @@ class _Flattener:
         self.writer = Writer(self.drawn, self.reader, self.tables)
         self.scope = self._elements()
         self.measures = Measures(self.drawn, self.reader, self.tables, self.scope)
-        switches = Switches(self.measures, self.tables)
-        self.writer.motion.finish(switches.read, switches.program)
+        self.switches = Switches(self.measures, self.tables)
+        self.writer.motion.finish(self.switches.read, self.switches.program)
 
     def flat(self, history: History, firings: int) -> FlatScene:
         data, tables = self.data, self.tables
@@ -154,17 +154,19 @@ class _Flattener:
         nudge = layout.PM_NONE
         if data.nudge is not None:
             nudge = add_nudge(data.nudge, self.measures, tables, "start.nudge")
-        instants = Instants(self.scope.events, self.measures, tables)
+        instants = Instants(self.scope.events, self.measures, tables, self.switches.watched)
         instants.add_events(data.events)
         actions = Actions(self.measures, tables)
         actions.absent(self.absent)
         for name, done in self.actions.items():
             actions.add(self.scope.events[name], done)
         instants.add_until(data.until)
-        asks = Asks(self.scope.events, self._bounds(), self.measures, self.reader, tables, firings)
+        watched = self.switches.watched
+        bounds = self._bounds()
+        asks = Asks(self.scope.events, bounds, self.measures, self.reader, tables, watched, firings)
         first_run = next(iter(data.runs), None)
         asked = {key: ask for key, ask in data.ask.items() if (ask.run or first_run) == self.run}
-        order = in_order(asked, data.ask, self.measures.knows)
+        order = in_order(asked, data.ask, self.measures.knows, self.parameters.parse)
         Faults().make({key: asked[key] for key in order}, asks.add)
         found = None
         if self.find is not None:
@@ -378,7 +380,7 @@ def run_parameters(data: SceneData, run: str | None) -> dict[str, Value]:
     declared = dict(data.parameters)
     for name, value in (data.runs[run] if run is not None else {}).items():
         try:
-            declared[name] = override(data.parameters, name, value)
+            declared[name] = override(data.parameters, name, value, data.book)
         except SceneError as error:
             raise SceneError(error.reason, path=f"runs.{run}.{name}", value=value) from None
     return declared

@@ -11,7 +11,6 @@ from ..geometry.drawing import Drawing
 from ..geometry.packing import Tables
 from ..language.address import Address
 from ..language.leaves import names
-from ..language.parser import parse
 from ..model.tables import ASK_WORDS, Ask
 from .elements import CouplingInfo
 from .measure_rows import Scope
@@ -46,7 +45,7 @@ class HistoryColumns:
 
     def of_asks(self, asks: Mapping[str, Ask]) -> Columns:
         """Motion and energies; reactions of that of which an ask reads something."""
-        read = {leaf.thing for ask in asks.values() for leaf in _addresses(ask)}
+        read = {leaf.thing for ask in asks.values() for leaf in self._addresses(ask)}
         reactions = (one for one in self._reactions() if one.partition(".")[0] in read)
         return self.there((*self._motion(), *reactions, *self._energies()))
 
@@ -97,6 +96,13 @@ class HistoryColumns:
                 continue
         return columns
 
+    def _addresses(self, ask: Ask) -> Iterator[Address]:
+        """What an ask reads."""
+        for written in (*(getattr(ask, word) for word in ASK_WORDS), ask.during):
+            if isinstance(written, str):
+                node = self.measures.reader.parameters.parse(written, "ask")
+                yield from (leaf for leaf in names(node) if isinstance(leaf, Address))
+
     def _column(self, written: str) -> tuple[int, str]:
         where = f"history.{written}"
         reading = self.measures.lower(written, where)
@@ -105,13 +111,6 @@ class HistoryColumns:
 
 def _is_velocity(address: str) -> bool:
     return address.endswith((".velocity.x", ".velocity.y", ".omega"))
-
-
-def _addresses(ask: Ask) -> Iterator[Address]:
-    """What an ask reads."""
-    for written in (*(getattr(ask, word) for word in ASK_WORDS), ask.during):
-        if isinstance(written, str):
-            yield from (leaf for leaf in names(parse(written, where="ask")) if isinstance(leaf, Address))
 
 
 def _coupling_quantities(coupling: CouplingInfo) -> tuple[str, ...]:

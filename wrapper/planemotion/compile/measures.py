@@ -29,7 +29,6 @@ from ..language.dimensions import (
 )
 from ..language.homogeneity import dimension
 from ..language.leaves import Leaf, substitute
-from ..language.parser import parse
 from ..language.tree import Name, Node
 from ..model import words
 from ..model.readers import Value
@@ -80,7 +79,7 @@ class Measures:
 
         The dimension of a plain 0, which fits any, is given as dimensionless.
         """
-        node = written if isinstance(written, Node) else parse(written, where=where)
+        node = written if isinstance(written, Node) else self.reader.parameters.parse(written, where)
         try:
             found = dimension(node, self.dimension_of)
             lowered = substitute(

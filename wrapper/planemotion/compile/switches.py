@@ -15,6 +15,7 @@ from ..geometry.packing import Tables, empty_measure
 from ..language.address import Address
 from ..language.homogeneity import require
 from ..language.leaves import names, operands, with_operands
+from ..language.lookup import Lookup
 from ..language.tree import ZERO, Binary, Call, Name, Node
 from .events import add_event
 from .measures import Measures
@@ -53,6 +54,7 @@ class Switches:
         self.measures = measures
         self.tables = tables
         self._sides: dict[Node, Node] = {}
+        self._pieces: dict[tuple[tuple[float, ...], str, Node], Node] = {}
 
     def read(self, waiting: Waiting) -> Node:
         """The expression over the kernel's leaves.  Raises SceneError for another dimension, or for what is
@@ -110,10 +112,42 @@ class Switches:
                     a, b = (first, other) if node.function == "max" else (other, first)
                     first = b + greater * (a - b)
                 return first
+            case Lookup():
+                return self._by_piece(node, where)
             case Call(function="floor"):
                 trigger = (layout.PM_TRIGGER_EVERY, node.arguments[0])
                 self._event((trigger,), where, layout.PM_EFFECT_COUNT)
         return node
+
+    def watched(self, node: Node, where: str) -> Node:
+        """An expression that is looked at all along, and whose tables are read at more than parameters: each
+        by the piece that holds for a phase."""
+        node = with_operands(node, [self.watched(one, where) for one in operands(node)])
+        if isinstance(node, Lookup) and node.read == "value" and any(self._rows(node)):
+            return self._by_piece(node, where)
+        return node
+
+    def _by_piece(self, node: Lookup, where: str) -> Node:
+        """The table by its piece: a phase ends where that does."""
+        if node.read != "value":
+            return node
+        x, table = node.arguments[0], node.table
+        key = (table.knots, table.beyond, x)
+        if key not in self._pieces:
+            event = add_event(self.tables, f"{where} at {table.name}", effect=layout.PM_EFFECT_PIECE)
+            row = empty_measure(layout.PM_MEASURE_EVENT_SIDE) | {layout.PM_MEASURE_A: event}
+            piece = self.tables.measure_leaf(row, where)
+            low, high = (Lookup(table, (number,), "knot") for number in (piece, piece + 1.0))
+            self._trigger(event, layout.PM_TRIGGER_FALL, x - low, where)
+            self._trigger(event, layout.PM_TRIGGER_RISE, x - high, where)
+            reading = {
+                layout.PM_READING_EVENT: event,
+                layout.PM_READING_TABLE: self.tables.piecewise(table),
+                layout.PM_READING_PROGRAM: self.tables.program(x, where),
+            }
+            self.tables.add(layout.PM_TABLE_READING, reading, where)
+            self._pieces[key] = piece
+        return Lookup(table, (x, self._pieces[key]), "piece")
 
     def _side(self, a: Node, b: Node, where: str) -> Node:
         """1 where a > b, else 0."""
@@ -131,14 +165,17 @@ class Switches:
         name = f"{where} switches"
         event = add_event(self.tables, name, effect=effect)
         for kind, node in triggers:
-            row = {
-                layout.PM_TRIGGER_KIND: kind,
-                layout.PM_TRIGGER_EVENT: event,
-                layout.PM_TRIGGER_PROGRAM: self.tables.program(node, name),
-                layout.PM_TRIGGER_A: layout.PM_NONE,
-            }
-            self.tables.add(layout.PM_TABLE_TRIGGER, row, name)
+            self._trigger(event, kind, node, name)
         return event
+
+    def _trigger(self, event: int, kind: int, node: Node, name: str) -> None:
+        row = {
+            layout.PM_TRIGGER_KIND: kind,
+            layout.PM_TRIGGER_EVENT: event,
+            layout.PM_TRIGGER_PROGRAM: self.tables.program(node, name),
+            layout.PM_TRIGGER_A: layout.PM_NONE,
+        }
+        self.tables.add(layout.PM_TABLE_TRIGGER, row, name)
 
     def _moves(self, node: Node) -> bool:
         """Whether it changes by more than the time, whose switches the kernel knows, and what events tell."""

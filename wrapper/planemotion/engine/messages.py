@@ -215,6 +215,10 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"{place}: at t = {found:.6g} s no free length is left of the cord: what it pulls has reached the "
         "drum, or its tangent point; what was answered before stands; end the run before it"
     ),
+    layout.PM_TABLE_ENDS: lambda place, found, bound: (
+        f"{place}: it ends at {bound:.6g} and is read at {found:.6g} (SI); what was answered before "
+        'stands; end the run before it, or give it an outside: "hold", "extend" or "repeat"'
+    ),
     layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
         "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "
         "singular position, a force that jumps); end the run before it, or lower the accuracy"

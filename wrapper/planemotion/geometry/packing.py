@@ -15,6 +15,7 @@ from .. import _layout as layout
 from ..language.code import ConstantPool, Instruction, emit
 from ..language.dimensions import TIME, Dimension
 from ..language.leaves import Leaf, evaluate, names, substitute
+from ..language.lookup import Piecewise
 from ..language.tree import Name, Node, Number
 from ..model.readers import Value
 from .checks import Checks
@@ -24,6 +25,13 @@ Row = Mapping[int, int]
 _VALUE = "#"
 _MEASURE = "@"
 _ANSWER = "!"
+_BEYOND = {
+    "stop": layout.PM_BEYOND_NONE,
+    "hold": layout.PM_BEYOND_HOLD,
+    "extend": layout.PM_BEYOND_EXTEND,
+    "repeat": layout.PM_BEYOND_REPEAT,
+    "zero": layout.PM_BEYOND_ZERO,
+}
 
 
 class Tables:
@@ -42,6 +50,7 @@ class Tables:
         self._needs: list[frozenset[str]] = []
         self._programs: dict[Node, int] = {}
         self._measures: dict[tuple[int, ...], int] = {}
+        self._piecewise: dict[Piecewise, int] = {}
         self._column = {name: index for index, name in enumerate(parameters.independent)}
         # Dependent parameters come first, so that every other value may use them.
         self._dependent: dict[str, int] = {}
@@ -86,7 +95,7 @@ class Tables:
         """Index of the program of an expression; equal expressions share one."""
         if node not in self._programs:
             first = len(self.rows[layout.PM_TABLE_CODE])
-            code = emit(node, self._instruction, self.constants)
+            code = emit(node, self._instruction, self.constants, self.piecewise)
             for op, arg in code:
                 self.add(layout.PM_TABLE_CODE, {layout.PM_CODE_OP: op, layout.PM_CODE_ARG: arg}, where)
             row = {layout.PM_PROGRAM_FIRST: first, layout.PM_PROGRAM_LENGTH: len(code)}
@@ -96,6 +105,20 @@ class Tables:
     def node_of(self, program: int) -> Node:
         """The expression of a program."""
         return next(node for node, index in self._programs.items() if index == program)
+
+    def piecewise(self, table: Piecewise) -> int:
+        """Index of a table of values."""
+        if table not in self._piecewise:
+            coefficients = [one for piece in table.coefficients for one in piece]
+            row = {
+                layout.PM_PIECEWISE_FIRST: self.constants.block([*table.knots, *coefficients]),
+                layout.PM_PIECEWISE_KNOTS: len(table.knots),
+                layout.PM_PIECEWISE_DEGREE_OF: table.degree,
+                layout.PM_PIECEWISE_BEYOND: _BEYOND[table.beyond],
+            }
+            name = f"tables.{table.name.partition('.')[0]}"
+            self._piecewise[table] = self.add(layout.PM_TABLE_PIECEWISE, row, name)
+        return self._piecewise[table]
 
     def measure(self, row: Row, name: str) -> int:
         """Index of a measure; equal measures share one."""

@@ -15,6 +15,7 @@ from ..language.address import Address
 from ..language.dimensions import DIMENSIONLESS, Dimension
 from ..language.homogeneity import dimension, require
 from ..language.leaves import Leaf, evaluate, names
+from ..language.lookup import NO_TABLES, Book
 from ..language.parser import parse
 from ..language.tree import Name, Node, Number, cos, sin
 from ..language.units import parse_quantity
@@ -31,11 +32,14 @@ class Parameters:
     Attributes: `nodes` (expression of each), `order` (all names, each after those it needs), `independent`
     (names, in the order of the file), `dimensions` (None: fits any), `units` (text as in the file),
     `defaults` (SI), `decided` (independent ones by whose default something was decided or checked, which a
-    table does not say: with another value it is to be looked at anew).
+    table does not say: with another value it is to be looked at anew), `tables` (what expressions may read).
     """
 
-    def __init__(self, declared: Mapping[str, Value], swept: Collection[str] = ()) -> None:
-        self.nodes = {name: parse(value, where=f"parameters.{name}") for name, value in declared.items()}
+    def __init__(
+        self, declared: Mapping[str, Value], swept: Collection[str] = (), tables: Book = NO_TABLES
+    ) -> None:
+        self.tables = tables
+        self.nodes = {name: self.parse(value, f"parameters.{name}") for name, value in declared.items()}
         for name, node in self.nodes.items():
             for leaf in sorted(names(node), key=str):
                 self._check_leaf(leaf, f"parameters.{name}", declared[name])
@@ -53,6 +57,10 @@ class Parameters:
                 raise error.at(path=f"parameters.{name}", value=declared[name]) from None
             self.defaults[name] = evaluate(self.nodes[name], lambda leaf: self.defaults[str(leaf)])
         self.units = {name: self._unit(name, value) for name, value in declared.items()}
+
+    def parse(self, written: object, where: str | None = None) -> Node:
+        """An expression that may read the scene's tables.  Raises SceneError with the key path `where`."""
+        return parse(written, where=where, tables=self.tables)
 
     def find(self, found: Mapping[str, float]) -> None:
         """Other defaults (SI) for some independent ones, and for what depends on them."""
@@ -112,7 +120,7 @@ def _circle(names_on_it: list[str]) -> str:
     return f"parameters that need each other in a circle: {' -> '.join(shown)}"
 
 
-def override(declared: Mapping[str, Value], name: str, value: Value) -> Value:
+def override(declared: Mapping[str, Value], name: str, value: Value, tables: Book = NO_TABLES) -> Value:
     """What to write for the parameter when `value` is given for it: a bare number gets the declared unit.
 
     Raises SceneError for an unknown parameter, another dimension than declared, or a bare number where the
@@ -121,7 +129,7 @@ def override(declared: Mapping[str, Value], name: str, value: Value) -> Value:
     path = f"parameters.{name}"
     if name not in declared:
         raise SceneError(unknown(name, declared, "parameter"), path=path)
-    parameters = Parameters(declared)
+    parameters = Parameters(declared, tables=tables)
     wanted = parameters.dimensions[name]
     text = value.strip() if isinstance(value, str) else value
     if _is_bare(text):
@@ -133,7 +141,7 @@ def override(declared: Mapping[str, Value], name: str, value: Value) -> Value:
             raise SceneError(reason, path=path, value=value)
     if wanted is not None:
         try:
-            require(parse(text), wanted, parameters.dimension_of)
+            require(parameters.parse(text), wanted, parameters.dimension_of)
         except SceneError as error:
             raise error.at(path=path, value=value) from None
     return text
@@ -201,7 +209,7 @@ class Reader:
     ) -> Node:
         """The same with other leaves than parameters, whose dimensions `resolve` gives."""
         text = written.strip().removeprefix("~") if isinstance(written, str) else written
-        node = parse(text, where=where)
+        node = self.parameters.parse(text, where)
         try:
             require(node, wanted, resolve)
         except SceneError as error:

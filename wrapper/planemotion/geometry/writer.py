@@ -8,7 +8,6 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..language.dimensions import POWER, Dimension
 from ..language.leaves import names
-from ..language.parser import parse
 from ..language.tree import Node
 from ..model.readers import Value
 from .drawing import GROUND
@@ -68,7 +67,7 @@ class Writer:
     def over_motion(self, written: Value, where: str, wanted: Dimension) -> Node:
         """A number that may depend on t and on the motion: what it says of that is read at the end."""
         text = written.strip().removeprefix("~") if isinstance(written, str) else written
-        node = parse(text, where=where)
+        node = self.reader.parameters.parse(text, where)
         if not reads_motion(node, self.reader.parameters.nodes):
             return self.over_time(written, where, wanted)
         return self.motion.leaf(Waiting(node, written, where, wanted))

@@ -12,7 +12,6 @@ from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
 from ..language.dimensions import DAMPING, MOMENT, TIME, Dimension
 from ..language.homogeneity import dimension
-from ..language.parser import parse
 from ..model.element import Number
 from .base import Force
 
@@ -56,7 +55,7 @@ class Damper(Force):
 
     def _unit(self, to: Writer, where: str) -> Dimension | None:
         """The dimension of its rate."""
-        node = parse(self.rate, where=where)
+        node = to.reader.parameters.parse(self.rate, where)
         if reads_motion(node, to.reader.parameters.nodes):
             reason = (
                 "whether it is rotary cannot be told from a rate that depends on the motion: give points, "

@@ -11,6 +11,7 @@ from ..base.errors import SceneError
 from .address import Address
 from .arithmetic import apply
 from .leaves import Leaf, operands
+from .lookup import Lookup, Piecewise
 from .tree import FUNCTIONS, Binary, Call, Name, Node, Number, Unary
 
 Instruction: TypeAlias = tuple[int, int]
@@ -49,11 +50,19 @@ _FUNCTION_CODES: dict[str, int] = {
     "floor": layout.PM_OP_FLOOR,
     "select": layout.PM_OP_SELECT,
 }
+_READ_CODES: dict[str, int] = {
+    "value": layout.PM_OP_PIECEWISE,
+    "piece": layout.PM_OP_PIECE,
+    "knot": layout.PM_OP_KNOT,
+}
 # How many numbers an operation takes off the stack; operations that are not here push one.
 _OPERANDS: dict[int, int] = {
     **dict.fromkeys(_OPERATOR_CODES.values(), 2),
     **dict.fromkeys(_SIGN_CODES.values(), 1),
     **{code: FUNCTIONS[name][0] for name, code in _FUNCTION_CODES.items()},
+    layout.PM_OP_PIECEWISE: 1,
+    layout.PM_OP_PIECE: 2,
+    layout.PM_OP_KNOT: 1,
 }
 
 
@@ -72,16 +81,22 @@ class ConstantPool:
             self.values.append(value)
         return self._index[key]
 
+    def block(self, values: Sequence[float]) -> int:
+        """The index of the first of these, which stand one behind the other."""
+        self.values.extend(values)
+        return len(self.values) - len(values)
+
 
 def emit(
     node: Node,
     resolve_op: Callable[[Leaf], Instruction | list[Instruction]],
     pool: ConstantPool,
+    row_of: Callable[[Piecewise], int] | None = None,
 ) -> list[Instruction]:
     """Postfix code (op, arg) of the expression, constants folded.
 
-    `resolve_op` gives the instruction (or several, which push one number) of a leaf.  Raises SceneError if
-    the code needs a deeper stack than the kernel has.
+    `resolve_op` gives the instruction (or several, which push one number) of a leaf, `row_of` the row of a
+    table that is read.  Raises SceneError if the code needs a deeper stack than the kernel has.
     """
 
     def push(part: float | list[Instruction]) -> list[Instruction]:
@@ -96,6 +111,12 @@ def emit(
             return found if isinstance(found, list) else [found]
         parts = [compile_(operand) for operand in operands(part)]
         constants = [operand for operand in parts if isinstance(operand, float)]
+        if isinstance(part, Lookup):
+            if part.read == "value" and len(constants) == len(parts):
+                return part.value_of(constants)
+            assert row_of is not None
+            code = [instruction for operand in parts for instruction in push(operand)]
+            return [*code, (_READ_CODES[part.read], row_of(part.table))]
         if len(constants) == len(parts):
             return apply(part.function if isinstance(part, Call) else _operator(part), constants)
         code = push(parts[0])

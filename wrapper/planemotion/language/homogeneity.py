@@ -9,6 +9,7 @@ from ..base.errors import SceneError
 from .address import Address
 from .dimensions import DIMENSIONLESS, Dimension, exact_exponent
 from .leaves import Leaf, evaluate, names
+from .lookup import Lookup
 from .tree import Binary, Call, Name, Node, Number, Unary
 
 
@@ -33,6 +34,8 @@ def dimension(node: Node, resolve: Callable[[Leaf], Dimension | None]) -> Dimens
                 return _of_binary(part, of(part.left), of(part.right))
             case Call():
                 return _of_call(part, [of(argument) for argument in part.arguments])
+            case Lookup():
+                return _of_lookup(part, of(part.arguments[0]))
         raise TypeError(f"no node of an expression: {part!r}")
 
     return of(node)
@@ -113,6 +116,15 @@ def _of_call(node: Call, given: list[Dimension | None]) -> Dimension | None:
     for argument, found in arguments:
         _plain(argument, found, node.function)
     return DIMENSIONLESS
+
+
+def _of_lookup(node: Lookup, found: Dimension | None) -> Dimension:
+    wanted, argument = node.table.argument, node.arguments[0]
+    if found is not None and found != wanted:
+        raise SceneError(
+            f"the table {node.table.name} is read at {wanted.phrase}; {argument} is {found.phrase}"
+        )
+    return node.table.value
 
 
 def _common(node: Node, parts: Sequence[tuple[Node, Dimension | None]]) -> Dimension | None:

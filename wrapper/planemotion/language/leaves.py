@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from .address import Address
 from .arithmetic import apply
+from .lookup import Lookup
 from .tree import Binary, Call, Name, Node, Number, Unary, binary, call, negative
 
 Leaf: TypeAlias = Name | Address
@@ -18,7 +19,7 @@ def operands(node: Node) -> tuple[Node, ...]:
             return (node.operand,)
         case Binary():
             return (node.left, node.right)
-        case Call():
+        case Call() | Lookup():
             return node.arguments
     return ()
 
@@ -34,6 +35,8 @@ def with_operands(node: Node, others: Sequence[Node]) -> Node:
             return binary(node.operator, others[0], others[1])
         case Call():
             return call(node.function, *others)
+        case Lookup():
+            return Lookup(node.table, tuple(others), node.read)
     return node
 
 
@@ -79,6 +82,8 @@ def evaluate(node: Node, values: Callable[[Leaf], float]) -> float:
             operation = node.operator
         case Call():
             operation = node.function
+        case Lookup():
+            return node.value_of([evaluate(operand, values) for operand in node.arguments])
         case _:
             raise TypeError(f"no node of an expression: {node!r}")
     return apply(operation, [evaluate(operand, values) for operand in operands(node)])

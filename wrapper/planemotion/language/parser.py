@@ -21,6 +21,7 @@ from functools import lru_cache
 from ..base.errors import SceneError, nearest
 from .address import Scanner, read_address
 from .leaves import height
+from .lookup import NO_TABLES, Book
 from .tree import (
     COMPARISON_RANK,
     RANK,
@@ -47,14 +48,15 @@ _OPERATOR = r"<=|>=|!=|[-+*/^=<>]|(?:and|or)\b"
 _UNIT_HERE = rf"(?!(?:and|or|not)\b){UNIT}"
 
 
-def parse(written: object, *, where: str | None = None) -> Node:
+def parse(written: object, *, where: str | None = None, tables: Book = NO_TABLES) -> Node:
     """The expression written as a text, a number, true or false (1 or 0), or a quantity of pint.
 
-    `where` is the key path for messages.  Raises SceneError with that path and the text as its value.
+    `where` is the key path for messages, `tables` what may be read besides functions.
+    Raises SceneError with that path and the text as its value.
     """
     try:
         if isinstance(written, str):
-            return _read(written)
+            return _read(written, tables)
         if isinstance(written, bool):
             return Number(float(written))
         return as_node(parse_quantity(written))
@@ -63,9 +65,9 @@ def parse(written: object, *, where: str | None = None) -> Node:
 
 
 @lru_cache(maxsize=1024)
-def _read(text: str) -> Node:
+def _read(text: str, tables: Book) -> Node:
     """Nodes are frozen: a text that is read again, as in every sweep of a scene, is the same one."""
-    return _Parser(text).parse()
+    return _Parser(text, tables).parse()
 
 
 def _sign(x: Node) -> Node:
@@ -75,10 +77,11 @@ def _sign(x: Node) -> Node:
 class _Parser:
     """Precedence climbing over a scanner."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, tables: Book) -> None:
         if len(text) > MAX_TEXT:
             raise SceneError(f"an expression of {len(text)} characters; at most {MAX_TEXT} are read")
         self.scanner = Scanner(text)
+        self.tables = tables.tables
         self.nesting = 0
         # Quantities without parentheses, by identity: they must not meet an arithmetic operator.
         self.bare: list[Node] = []
@@ -176,15 +179,20 @@ class _Parser:
 
     def call(self, word: str) -> Node:
         """A function and its arguments; the scanner stands at the opening parenthesis."""
-        if word not in WRITTEN_FUNCTIONS:
-            guess = nearest(word, WRITTEN_FUNCTIONS)
-            known = f'did you mean "{guess}"?' if guess else f"there are {', '.join(WRITTEN_FUNCTIONS)}"
+        if word not in WRITTEN_FUNCTIONS and word not in self.tables:
+            functions = (*WRITTEN_FUNCTIONS, *self.tables)
+            guess = nearest(word, functions)
+            known = f'did you mean "{guess}"?' if guess else f"there are {', '.join(functions)}"
             raise SceneError(f'unknown function "{word}" ({known})')
         self.scanner.take(r"\(")
         arguments = [self.expression(1)]
         while self.scanner.take(r","):
             arguments.append(self.expression(1))
         self.close()
+        if word in self.tables:
+            if len(arguments) != 1:
+                raise SceneError(f"the table {word} is read at 1 argument, not {len(arguments)}")
+            return self.tables[word].at(arguments[0])
         least, most = WRITTEN_FUNCTIONS[word]
         if len(arguments) < least or (most is not None and len(arguments) > most):
             raise SceneError(f"{word} takes {count_text(word)}, not {len(arguments)}")

@@ -157,6 +157,15 @@ def read_grid(written: Any) -> Any:
     return written
 
 
+def read_column(written: Any) -> str | tuple[Value, ...]:
+    """The name of a column of a file, or its values."""
+    if isinstance(written, str):
+        return written
+    if not isinstance(written, list | tuple):
+        raise ValueError('a list of values is wanted, such as ["0 s", "1 s"], or the name of a column')
+    return tuple(read_value(one) for one in written)
+
+
 def read_numbers(written: Any) -> tuple[Value, ...]:
     """A list of values."""
     if not isinstance(written, list | tuple):

@@ -19,7 +19,6 @@ from ..geometry.motion import reads_motion
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
-from ..language.parser import parse
 from ..language.tree import Node
 from ..language.units import factor
 from ..model.readers import Value, Vector
@@ -112,10 +111,11 @@ class Sketch:
 
     def at_start(self, written: Value) -> float | None:
         """A number of a force, which may depend on t, at t = 0; None if it depends on the motion."""
-        defaults = self.drawing.reader.parameters.defaults
-        if reads_motion(parse(written), defaults):
+        parameters = self.drawing.reader.parameters
+        defaults, node = parameters.defaults, parameters.parse(written)
+        if reads_motion(node, defaults):
             return None
-        return evaluate(parse(written), lambda leaf: 0.0 if str(leaf) == "t" else defaults[str(leaf)])
+        return evaluate(node, lambda leaf: 0.0 if str(leaf) == "t" else defaults[str(leaf)])
 
     def read(self, texts: tuple[str, ...], where: str, *wanted: str) -> list[Partner]:
         """The partners of an element."""

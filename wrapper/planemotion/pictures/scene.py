@@ -64,7 +64,7 @@ def drawing_of(data: SceneData, run: str | None, found: Mapping[str, float] | No
     """The drawn scene of a run, at the parameters of the file, or at what was `found` for them (SI).
 
     Raises SceneError."""
-    parameters = Parameters(run_parameters(data, run), data.sweep.grids)
+    parameters = Parameters(run_parameters(data, run), data.sweep.grids, data.book)
     parameters.find(found or {})
     reader = Reader(parameters)
     bodies = {

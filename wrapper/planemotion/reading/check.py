@@ -11,6 +11,7 @@ from typing import Any
 
 from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
+from ..language.tree import WRITTEN_FUNCTIONS
 from ..model import words
 from ..model.readers import DISTRIBUTIONS
 from ..model.tables import (
@@ -30,6 +31,7 @@ from ..model.tables import (
     Solve,
     Spin,
 )
+from ..model.tabulated import Tabulated
 from .scene import SceneData
 
 # Kinds of the language that are not built yet -> what they are.
@@ -51,6 +53,8 @@ def check(raw: Mapping[str, Any]) -> None:
         _each(faults, _parameter, name, value)
     _each(faults, _ground, words.table(raw, "ground"))
     _each(faults, _keys, words.table(raw, "spin"), Spin.file_keys(), "spin", "a spin")
+    for name, one in words.table(raw, "tables").items():
+        _each(faults, _table, name, one)
     for name, body in words.table(raw, "bodies").items():
         _each(faults, _body, body, f"bodies.{name}")
     for group in KINDS:
@@ -73,6 +77,14 @@ def _parameter(name: str, value: Any) -> None:
         raise SceneError(_VALUE_TABLE, path=f"parameters.{name}")
 
 
+def _table(name: str, table: Any) -> None:
+    words.check_name(name, "tables")
+    if name in WRITTEN_FUNCTIONS:
+        raise SceneError("it is the name of a function; choose another name", path=f"tables.{name}")
+    path = f"tables.{name}"
+    _keys(words.mapping(table, path), Tabulated.file_keys(), path, "a table of values")
+
+
 def _run(raw: Mapping[str, Any], name: str, values: Any) -> None:
     parameters = ("g", *words.table(raw, "parameters"))
     path = f"runs.{name}"
@@ -81,7 +93,10 @@ def _run(raw: Mapping[str, Any], name: str, values: Any) -> None:
         _find(values["find"], f"{path}.find")
 
 
-_VALUE_TABLE = "not built yet: values from a table over time or a measure"
+_VALUE_TABLE = (
+    'a table of values has a name of its own: tables.push = { at = ["0 s", "1 s"], value = ["0 N", "5 N"] }, '
+    'then value = "push(t)"'
+)
 
 
 def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import BeforeValidator, SerializeAsAny
 
 from ..kinds.base import Coupling, Force, Joint
+from ..language.lookup import Book
 from ..model.element import Number, Table, Text
 from ..model.readers import Value, Vector, read_ask, read_event, read_start, read_sweep, read_until
 from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Solve, Spin, Sweep
+from ..model.tabulated import Tabulated, book_of
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,7 @@ class SceneData(Table):
     plane: Literal["vertical", "horizontal"] = "vertical"
     until: Annotated[tuple[tuple[str, ...], ...], BeforeValidator(read_until)]
     parameters: dict[str, Number] = {}
+    tables: dict[str, Tabulated] = {}
     ground: Ground = Ground()
     bodies: dict[str, Body] = {}
     spin: Spin | None = None
@@ -53,6 +57,11 @@ class SceneData(Table):
     run_finds: dict[str, Find] = {}
     sweep: Annotated[Sweep, BeforeValidator(read_sweep)] = Sweep()
     solve: Solve = Solve()
+
+    @cached_property
+    def book(self) -> Book:
+        """The tables of values, as expressions read them."""
+        return book_of(self.tables)
 
     def find_of(self, run: str | None) -> tuple[Find, str] | None:
         """What a run looks for - its own find, or that of the scene - and its key path."""

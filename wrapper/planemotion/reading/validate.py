@@ -31,6 +31,7 @@ from ..model.tables import (
 )
 from .advice import advice
 from .check import check, kind_of
+from .measured import add_points
 from .renamed import renewed
 from .scene import SceneData, Source
 
@@ -57,7 +58,8 @@ def validate(
         }
         told = {"file": file, "source": Source(text), "hints": hints, "advice": advice(raw)}
         content = {**raw, "id": raw.get("id", name), "parameters": parameters, **told}
-        data = _construct({**content, **_taken_apart(raw), **_elements(raw)})
+        measured = {"tables": add_points(raw, file)} if "tables" in raw else {}
+        data = _construct({**content, **_taken_apart(raw), **_elements(raw), **measured})
         _check_more(data)
     except SceneError as error:
         raise error.at(file=file, text=text) from None

@@ -13,6 +13,7 @@ from ..kinds import KINDS
 from ..kinds.base import Bearing
 from ..model import tables
 from ..model.element import Element, Kind, Table
+from ..model.tabulated import Tabulated
 from ..reading.scene import SceneData
 from .meaning import Meaning, meaning_of, meanings
 
@@ -21,7 +22,7 @@ _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
     "A scene": (SceneData,),
     "Bodies and marks": (
         *(tables.Body, tables.Ground, tables.Line, tables.Circle, tables.Row),
-        *(tables.Driven, tables.Spin),
+        *(tables.Driven, tables.Spin, Tabulated),
     ),
     "Events and questions": (tables.Event, tables.Action, tables.Ask, tables.At),
     "Studies and settings": (

@@ -102,7 +102,7 @@ def plan_sweep(scene: WrittenScene) -> SweepPlan:
 def _plan(data: SceneData) -> SweepPlan:
     if not data.sweep.grids:
         raise SceneError("nothing to sweep; write for example sweep.d = { from, to, num }", path="sweep")
-    dimensions = Parameters(data.parameters).dimensions
+    dimensions = Parameters(data.parameters, tables=data.book).dimensions
     units = {name: _declared_unit(data.parameters[name]) for name in data.sweep.grids}
     drawn = {name: one for name, one in data.sweep.grids.items() if one.is_drawn}
     values = draw(data.sweep.design, drawn, units) if data.sweep.design else {}
