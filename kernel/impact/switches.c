@@ -93,7 +93,6 @@ void pm_switches_begin(pm_workspace *w)
 {
     w->instant.switched = -1;
     w->instant.to_and_fro = 0;
-    pm_trigger_take_sides(w);
 }
 
 int pm_switches_settle(pm_workspace *w, int goes_on)

@@ -91,18 +91,30 @@ FAULTS = [
         "tables: a knot belongs to the piece below it",
         "expression/piecewise.c",
         "if (p->knot[middle] <= x)",
-        "if (p->knot[middle] < x - 1)",
+        "if (p->knot[middle] < x)",
     ),
     Fault(
-        "tables: beyond its end a table that is held goes on",
+        "tables: one that is held goes on beyond its end",
         "expression/piecewise.c",
         "p->beyond == PM_BEYOND_EXTEND ? at_end[0] : 0",
         "p->beyond != PM_BEYOND_NONE ? at_end[0] : 0",
     ),
     Fault(
-        "tables: the rate of a table that drives is that of its argument",
+        "tables: a rate is that of the argument",
         "expression/program_rate.c",
         "derivative[0] * a->rate",
         "a->rate",
+    ),
+    Fault(
+        "enclosure: a table bends by its argument alone",
+        "expression/enclosure_table.c",
+        "pm_interval_product(second, pm_interval_square(a->rate))",
+        "pm_interval_product(second, pm_interval_of(0))",
+    ),
+    Fault(
+        "tables: knots that do not increase are taken",
+        "expression/piecewise.c",
+        "if (!(m->constant[k - 1] < m->constant[k]))",
+        "if (m->constant[k - 1] > m->constant[k])",
     ),
 ]

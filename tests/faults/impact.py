@@ -735,9 +735,15 @@ FAULTS = [
         "",
     ),
     Fault(
-        "switch: sides are not taken as a run begins",
+        "tables: the piece is kept at its end",
         "impact/switches.c",
-        "    pm_trigger_take_sides(w);\n",
-        "",
+        "*piece = there;",
+        "(void)there;",
+    ),
+    Fault(
+        "tables: a run goes on beyond the end",
+        "impact/table_ends.c",
+        "if (row == PM_NONE) return PM_OK;",
+        "return PM_OK;",
     ),
 ]

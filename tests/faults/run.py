@@ -51,4 +51,10 @@ FAULTS = [
         "PM_EVENT_ROW(m, of)[PM_EVENT_EFFECT] != PM_EFFECT_NONE || ",
         "",
     ),
+    Fault(
+        "switch: sides are not taken as a run begins",
+        "run/run.c",
+        "    pm_trigger_take_sides(w);\n",
+        "",
+    ),
 ]

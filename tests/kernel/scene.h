@@ -98,6 +98,26 @@ static inline int scene_parameter(scene *s)
     return scene_value_of(s, SCENE_PROGRAM(s, scene_p(s->nparam++)));
 }
 
+/* A piecewise polynomial: knot[knots], coefficient[(knots - 1) (degree + 1)]. */
+static inline int scene_piecewise(scene *s, int knots, const double *knot, int degree,
+                                  const double *coefficient, int beyond)
+{
+    const int first = s->nconstant;
+    for (int i = 0; i < knots; i++) scene_constant(s, knot[i]);
+    for (int i = 0; i < (knots - 1) * (degree + 1); i++) scene_constant(s, coefficient[i]);
+    return SCENE_ROW(s, PM_TABLE_PIECEWISE, first, knots, degree, beyond);
+}
+/* Straight lines between values. */
+static inline int scene_lines(scene *s, int knots, const double *knot, const double *value, int beyond)
+{
+    double coefficient[2 * 64];
+    for (int i = 0; i + 1 < knots; i++) {
+        coefficient[2 * i] = value[i];
+        coefficient[2 * i + 1] = (value[i + 1] - value[i]) / (knot[i + 1] - knot[i]);
+    }
+    return scene_piecewise(s, knots, knot, 1, coefficient, beyond);
+}
+
 /* ---- bodies and marks ---- */
 static inline int scene_body(scene *s, double mass, double inertia, double x, double y, double angle)
 {

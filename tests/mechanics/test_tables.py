@@ -152,6 +152,21 @@ c = {{ at = {written(speeds.tolist(), "m/s")}, value = {c}, between = "cubic", o
             assert [run.x, run.v] == pytest.approx([runs[0].x, runs[0].v], abs=1e-8), i
 
 
+def test_no_case_knows_the_piece_in_which_another_ended() -> None:
+    scene = pm.load_text("""
+until = "t = 2 s"
+plane = "horizontal"
+parameters.x0 = "0.5 m"
+bodies.b = { mass = "2 kg", at = ["x0", 0] }
+forces.f = { force = "b", value = ["k(b.x)", 0] }
+ask = { x = "b.x", v = "b.velocity.x" }
+tables.k = { at = ["0 m", "1 m", "2 m"], value = ["5 N", "1 N", "-900 N"], outside = "hold" }
+""")
+    first, second = scene.sweep(x0=["0.1 m", "1.9 m"]), scene.sweep(x0=["1.9 m", "0.1 m"])
+    for name in ("x", "v", "x_error"):
+        assert first[name].values.tolist() == second[name].values[::-1].tolist()
+
+
 def test_drives_conditions_and_parameters_read_tables() -> None:
     scene = pm.load_text("""
 until = "speed(t) < (0.5 m/s)"
