@@ -279,12 +279,15 @@ FAULTS = [
         'forces.f = { couple = "AB", power = "3 W", value = "1 N*m" }',
         "forces.f.power: give power or value, not both",
     ),
+    (
+        'forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }',
+        "forces.f.value: a table of values has a name of its own",
+    ),
 ]
 
 NOT_BUILT = [
     ('couplings.c = { cord = ["disk.rim cw", "P"], slips = ["disk.rim"] }', "couplings.c.slips"),
     ('contacts.c = { table = ["P"] }', "contacts.c.table"),
-    ('forces.f = { couple = "AB", value = { over = "t", at = [0], values = [0] } }', "forces.f.value"),
     ('start.AB.omega = "~3 rad/s"', 'start.AB.omega = "~3 rad/s"'),
 ]
 

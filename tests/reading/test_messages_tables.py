@@ -89,3 +89,14 @@ def test_columns_are_chosen_by_name(tmp_path: Path) -> None:
     scene.write_text(SCENE.format(table='{ file = "m.csv", value = "g" }', value="k(t)", name="k"))
     with pytest.raises(pm.SceneError, match=r"has no such column.*it has t, f, note"):
         pm.load(scene)
+
+
+def test_a_result_holds_the_values_of_its_tables(tmp_path: Path) -> None:
+    (tmp_path / "m.csv").write_text("t [ms],f [kN]\n0,0.1\n500,1\n1000,0\n")
+    scene = tmp_path / "scene.toml"
+    scene.write_text(SCENE.format(table='{ file = "m.csv", outside = "hold" }', value="k(t)", name="k"))
+    written = pm.load(scene)
+    again = pm.load_text(written.whole_text)
+    assert again.data.tables["k"].points == written.data.tables["k"].points
+    assert again.data.tables["k"].outside == "hold"
+    assert again.run().v == written.run().v

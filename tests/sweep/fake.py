@@ -52,7 +52,7 @@ class FakeScene:
         self.file: str | None = "fake.toml"
         self.data = validate(raw, file=self.file)
         self.run_names = tuple(self.data.runs)
-        self.text = text
+        self.text = self.whole_text = text
 
     def to_toml(self) -> str:
         return "\n".join(line for line in self.text.splitlines() if not line.startswith("#"))

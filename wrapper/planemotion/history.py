@@ -24,7 +24,7 @@ def history(
 ) -> xarray.Dataset:
     """The history of one run as a dataset: see Scene.history."""
     recorded = record(scene, quantities, every=every, run=run)
-    told = {"id": scene.id, "title": scene.data.title, "scene": scene.text}
+    told = {"id": scene.id, "title": scene.data.title, "scene": scene.whole_text}
     return dataset(recorded, told if run is None else {**told, "run": run})
 
 

@@ -202,6 +202,16 @@ class Scene:
         """The scene as TOML: the text of its file if nothing was changed."""
         return self._text if self._text is not None else self.to_toml()
 
+    @property
+    def whole_text(self) -> str:
+        """The scene as TOML that needs no other file: with the values of its tables."""
+        from .file import to_toml
+
+        values = {name: table.in_scene for name, table in self.data.tables.items() if table.file is not None}
+        if not values:
+            return self.text
+        return to_toml({**self._raw, "tables": {**self._raw["tables"], **values}})
+
     def to_toml(self) -> str:
         """The scene as TOML, written anew."""
         from .file import to_toml

@@ -161,7 +161,7 @@ def _record(scene: Scene, wanted: _Recording, path: Path) -> None:
 
     assert wanted.file is not None
     runs = record_runs(scene, wanted.quantities, every=wanted.every)
-    attributes = {"id": scene.id, "title": scene.data.title, "scene": scene.text}
+    attributes = {"id": scene.id, "title": scene.data.title, "scene": scene.whole_text}
     history.write(path, runs, attributes, ending(wanted.file, HISTORIES, "a history"))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BeforeValidator
@@ -50,6 +50,19 @@ class Tabulated(Table):
     scale: Number = 1
     stretch: Number = 1
     points: Points
+
+    @property
+    def in_scene(self) -> dict[str, Any]:
+        """What a scene writes of the same table with its values, of a file or not."""
+        points = self.points
+        options = {
+            key: getattr(self, key) for key in self.model_fields_set - {"file", "at", "value", "points"}
+        }
+        return {
+            "at": [f"{one!r} {points.argument.unit}".strip() for one in points.at],
+            "value": [f"{one!r} {points.dimension.unit}".strip() for one in points.value],
+            **dict(sorted(options.items())),
+        }
 
 
 def book_of(tables: Mapping[str, Tabulated]) -> Book:

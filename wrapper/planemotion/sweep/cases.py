@@ -46,7 +46,7 @@ class Study:
 
     def __init__(self, scene: WrittenScene, plan: SweepPlan, workers: int, kept: Kept) -> None:
         self.data = scene.data
-        self.text = scene.text
+        self.text = scene.whole_text
         self._scene = scene
         self.plan = plan
         self.workers = workers
