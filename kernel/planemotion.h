@@ -42,7 +42,8 @@ enum pm_status {
                                  force switches to and fro: where = event of its switch; detail = how often */
     PM_TABLE_ENDS = 17,       /* a force or a drive reads a table of values beyond its end: where = table of
                                  PM_TABLE_PIECEWISE; detail = argument, the end */
-    PM_BAD_TABLE = -1,        /* the tables contradict this header: where = table, row */
+    PM_DRIVE_JUMPS = 18, /* a place that is prescribed jumps: where = joint; detail = by how much, m or rad */
+    PM_BAD_TABLE = -1,   /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
     PM_ASSEMBLY = -4,       /* joints cannot be met from the start given: where; detail = opening */

@@ -82,17 +82,19 @@ enum pm_joint_kind {
     PM_JOINT_WELD = 4,           /* a, b points coincide and angle(a) - angle(b) = value.   3 */
     PM_JOINT_ROLLING_LINE = 5,   /* a circle rolls on line b, on its left.                  2 */
     PM_JOINT_ROLLING_CIRCLE = 6, /* a circle rolls on circle b; value = side (below).       2 */
-    PM_JOINT_GEARS =
-        7, /* a, b circles mesh at their pitch point; value = side; axles or a carrier keep their distance.  1 */
-    PM_JOINT_BELT = 8, /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 */
-    PM_JOINT_RATE = 9, /* a, b bodies: the spin of a relative to b is program_x.           1  */
+    PM_JOINT_GEARS = 7, /* a, b circles mesh; value = side; axles or a carrier hold their distance.  1 */
+    PM_JOINT_BELT = 8,  /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 */
+    PM_JOINT_RATE = 9,  /* a, b bodies: the spin of a relative to b is program_x.           1  */
     PM_JOINT_DRIVE =
-        10, /* a, b points: the velocity of a relative to b is program_x, program_y in the scene's axes.
-                            2 */
-    PM_JOINT_RATIO =
-        11, /* a, b bodies: angle(a) - value angle(b) as at the start; the ground takes the couples'
-                            difference.  1 */
-    PM_JOINT_KINDS = 12
+        10, /* a, b points: the velocity of a from b is (program_x, program_y), scene's axes.  2 */
+    PM_JOINT_RATIO = 11,     /* a, b bodies: angle(a) - value angle(b) stays; the ground holds the rest.  1 */
+    PM_JOINT_PLACED = 12,    /* a, b points: a from b is (program_x, program_y) in the scene's axes.  2 */
+    PM_JOINT_ANGLE = 13,     /* a, b bodies: angle(a) - angle(b) = program_x.  1 */
+    PM_JOINT_LENGTH = 14,    /* a, b points at distance program_x > 0.  1 */
+    PM_JOINT_PIN_ANGLE = 15, /* PIN, and ANGLE of its bodies.  3 */
+    PM_JOINT_SLIDER_PLACE = 16,       /* SLIDER, and a is program_x along line b from its point.  2 */
+    PM_JOINT_SLIDER_FIXED_PLACE = 17, /* SLIDER_FIXED, likewise.  3 */
+    PM_JOINT_KINDS = 18
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {
@@ -100,7 +102,7 @@ enum pm_joint_column {
     PM_JOINT_A = 1,
     PM_JOINT_B = 2,
     PM_JOINT_VALUE = 3,
-    PM_JOINT_PROGRAM_X = 4, /* of the time alone, or PM_NONE */
+    PM_JOINT_PROGRAM_X = 4, /* prescribed rates or places: of the time alone, or PM_NONE */
     PM_JOINT_PROGRAM_Y = 5,
     PM_JOINT_COLUMNS = 6
 };
@@ -243,7 +245,8 @@ enum pm_measure_kind {
     PM_MEASURE_EVENT_SIDE =
         47, /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0;
                of PM_EFFECT_PIECE: the piece in which its argument lies */
-    PM_MEASURE_KINDS = 48
+    PM_MEASURE_JOINT_POWER = 48, /* of what drives the joint: its reactions times the rates prescribed */
+    PM_MEASURE_KINDS = 49
 };
 enum pm_part {
     PM_PART_NONE = 0,

@@ -78,7 +78,9 @@ int pm_constant_motion_marks(const pm_frame *frame, const pm_constraint *c, cons
 int pm_constant_motion_drive(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
 {
     (void)x;
-    return c->drive == PM_NONE || frame->model->programs.class[c->drive] == PM_CLASS_CONSTANT;
+    if (c->drive == PM_NONE) return 1;
+    const int class = frame->model->programs.class[c->drive];
+    return class == PM_CLASS_CONSTANT || (class == PM_CLASS_TIME && c->prescribes == PM_PRESCRIBES_PLACE);
 }
 
 int pm_constant_motion_together(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)

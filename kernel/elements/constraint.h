@@ -20,13 +20,14 @@ struct pm_constraint {
     int memory;                /* index of its memory, or PM_NONE */
     int joint, slot;           /* owner: one of both is PM_NONE */
     int normal; /* sliding constraints and friction: index of the active constraint of its normal, else PM_NONE */
-    double slide; /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
-    double j[6];  /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
-    double h[6];  /* direction of the force: j, but for sliding contacts */
-    double g;     /* residual, m or rad */
-    int drive;    /* program of its prescribed rate, or PM_NONE */
-    double rate;  /* prescribed at the frame: G v = rate */
-    double gamma; /* -(dG/dt) v */
+    double slide;   /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
+    double j[6];    /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
+    double h[6];    /* direction of the force: j, but for sliding contacts */
+    double g;       /* residual, m or rad */
+    int drive;      /* program of what is prescribed, or PM_NONE */
+    int prescribes; /* enum pm_prescribes */
+    double rate;    /* prescribed at the frame: G v = rate */
+    double gamma;   /* -(dG/dt) v */
 };
 
 enum pm_constraint_kind {
@@ -42,6 +43,9 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_RATIO = 9,
     PM_CONSTRAINT_KINDS = 10
 };
+
+/* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
+enum pm_prescribes { PM_PRESCRIBES_RATE = 0, PM_PRESCRIBES_PLACE = 1 };
 
 /* Where a unit reaction acts on body[0], from geometry alone: the audit uses it instead of the Jacobian.  On body[1] the
  * opposite force acts in the same line, and couple[1], which is the opposite couple unless something else takes a share:
@@ -98,6 +102,12 @@ static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_con
 {
     const unsigned char *fixed = numbers->fixed;
     return !fixed[c->body[0]] && !fixed[c->body[1]] && c->ratio == 1;
+}
+
+/* Its residual is an angle. */
+static inline int pm_constraint_is_angle(const pm_constraint *c)
+{
+    return c->kind == PM_CONSTRAINT_ANGLE || c->kind == PM_CONSTRAINT_RATIO;
 }
 
 /* j x of a constraint that is evaluated; x[nq]: velocities, accelerations, a direction. */

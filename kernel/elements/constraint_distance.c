@@ -2,12 +2,14 @@
  *
  * d = p_a - p_b, D = |d|, n = d/D, t = k x n, u = v_a - v_b, s = sign (-1 where one circle is inside the other):
  *   C = s (D - L)    Cdot = s u.n    gamma = -s (quad.n + (u.t)^2 / D)
+ * The length L may be prescribed (drive.c): then Cdot has -s dL/dt, and gamma s d2L/dt2.
  * For circles L = R_a + R_b with signed radii: a inside b has R_a < 0, b inside a has R_b < 0; the touching point is
  * p_a - R_a n. */
 #include <math.h>
 
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
+#include "elements/drive.h"
 #include "state/workspace.h"
 
 static void evaluate(const pm_frame *frame, pm_constraint *c)
@@ -19,6 +21,11 @@ static void evaluate(const pm_frame *frame, pm_constraint *c)
     pm_constraint_along(c, &x, n, c->sign);
     c->g = c->sign * (distance - c->value);
     c->gamma = -c->sign * (pm_dot(x.quad, n) + across * across / distance);
+    if (c->drive == PM_NONE) return;
+    const pm_drive_motion length = pm_drive_of(frame, c);
+    c->g = c->sign * (distance - length.place);
+    c->gamma += c->sign * length.change;
+    c->rate = c->sign * length.rate;
 }
 
 static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
@@ -47,5 +54,11 @@ static void bound(const pm_frame *frame, const pm_constraint *c, const double *a
     if (c->sign < 0) x->bend = nearest > 0 ? -(hardest + r.rate * r.rate / nearest) : -INFINITY;
 }
 
+/* A length that changes changes the distance vector. */
+static int steady(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
+{
+    return pm_constant_motion_drive(frame, c, x) && pm_constant_motion_together(frame, c, x);
+}
+
 const pm_constraint_ops pm_constraint_distance = {
-    .evaluate = evaluate, .act = act, .steady = pm_constant_motion_together, .bound = bound};
+    .evaluate = evaluate, .act = act, .steady = steady, .bound = bound};

@@ -1,9 +1,9 @@
-/* constraint_drive.c - prescribed motion: the velocity of a point, along an axis e of the scene (constraint.axis), or the
- * spin of a body, relative to another body, is a given w(t).
+/* constraint_drive.c - prescribed motion: where a point is, along an axis e of the scene (constraint.axis), or the angle of a
+ * body, relative to another body, is a given P(t).
  *
- *   point   C = e.(p_a - p_b) - anchor - W(t)     Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt
- *   spin    C = angle_a - r angle_b - anchor - W  Cdot = omega_a - r omega_b - w gamma = dw/dt
- * W is the integral of w (drive.c), nothing where nothing is prescribed.  The couples on the bodies are as 1 to -r: what
+ *   point   C = e.(p_a - p_b) - P      Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt       w = dP/dt
+ *   spin    C = angle_a - r angle_b - P  Cdot = omega_a - r omega_b - w gamma = dw/dt
+ * Where w is given, P is the anchor and the integral of w (drive.c); the anchor alone where nothing is prescribed.  The couples on the bodies are as 1 to -r: what
  * is left over is held by the ground. */
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
@@ -13,10 +13,10 @@
 /* What all driven constraints share: the residual is `place` less what is prescribed. */
 static void prescribe(const pm_frame *frame, pm_constraint *c, double place)
 {
-    const pm_memory *memory = &frame->memory[c->memory];
-    c->g = place - memory->anchor - pm_drive_way(frame, c->drive, memory);
-    c->gamma += pm_drive_change(frame, c->drive);
-    c->rate = pm_drive_rate(frame, c->drive);
+    const pm_drive_motion drive = pm_drive_of(frame, c);
+    c->g = place - drive.place;
+    c->gamma += drive.change;
+    c->rate = drive.rate;
 }
 
 static void keep(const pm_frame *frame, const pm_constraint *c, double place, pm_memory *memory,

@@ -34,7 +34,7 @@ double pm_constraint_rate(const pm_frame *frame, const pm_constraint *c)
 
 double pm_constraint_slip(const pm_frame *frame, const pm_constraint *c)
 {
-    return pm_constraint_rate(frame, c) - pm_drive_rate(frame, c->drive);
+    return pm_constraint_rate(frame, c) - pm_drive_rate(frame, c);
 }
 
 /* Active constraints, and behind them the tangents that sliding normals carry, closed by an entry without normal. */

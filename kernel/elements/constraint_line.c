@@ -49,13 +49,11 @@ static void evaluate_tangent(const pm_frame *frame, pm_constraint *c)
     pm_constraint_along(c, &x, l.t, 1);
     c->j[2] += c->radius_a;
     c->j[5] += pm_dot(x.d, l.n) - c->radius_a;
-    c->g = rolled(frame, c, &x, &l) - frame->memory[c->memory].anchor;
-    c->gamma =
-        -(pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) - x.omega_b * x.omega_b * pm_dot(x.d, l.t));
-    if (c->drive == PM_NONE) return;
-    c->g -= pm_drive_way(frame, c->drive, &frame->memory[c->memory]);
-    c->gamma += pm_drive_change(frame, c->drive);
-    c->rate = pm_drive_rate(frame, c->drive);
+    const pm_drive_motion drive = pm_drive_of(frame, c);
+    c->g = rolled(frame, c, &x, &l) - drive.place;
+    c->gamma = drive.change - (pm_dot(x.quad, l.t) + 2 * x.omega_b * pm_dot(x.u, l.n) -
+                               x.omega_b * x.omega_b * pm_dot(x.d, l.t));
+    c->rate = drive.rate;
 }
 
 static void remember(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)

@@ -101,6 +101,12 @@ static void rate(const pm_frame *frame, const int32_t *e, pm_constraint *c)
     c->drive = e[PM_JOINT_PROGRAM_X];
 }
 
+static void angle(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    rate(frame, e, c);
+    c->prescribes = PM_PRESCRIBES_PLACE;
+}
+
 static void ratio(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     rate(frame, e, c);
@@ -115,6 +121,46 @@ static void drive(const pm_frame *frame, const int32_t *e, pm_constraint *c)
         c[k].axis[k] = 1;
         c[k].drive = e[PM_JOINT_PROGRAM_X + k];
     }
+}
+
+static void placed(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    drive(frame, e, c);
+    for (int k = 0; k < 2; k++) c[k].prescribes = PM_PRESCRIBES_PLACE;
+}
+
+static void prescribe(const int32_t *e, pm_constraint *c)
+{
+    c->drive = e[PM_JOINT_PROGRAM_X];
+    c->prescribes = PM_PRESCRIBES_PLACE;
+}
+
+static void length(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    put(frame, e, c, PM_CONSTRAINT_DISTANCE, pm_constraint_marks_points);
+    prescribe(e, c);
+}
+
+static void pin_angle(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    pin(frame, e, c);
+    c[2].kind = PM_CONSTRAINT_RATIO;
+    for (int k = 0; k < 2; k++) c[2].body[k] = c[0].body[k];
+    prescribe(e, &c[2]);
+}
+
+static void slider_place(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    slider(frame, e, c);
+    put_beside(&c[1], PM_CONSTRAINT_LINE_TANGENT, &c[0]);
+    prescribe(e, &c[1]);
+}
+
+static void slider_fixed_place(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    slider_fixed(frame, e, c);
+    put_beside(&c[2], PM_CONSTRAINT_LINE_TANGENT, &c[0]);
+    prescribe(e, &c[2]);
 }
 
 enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, LINE = PM_TABLE_LINE, CIRCLE = PM_TABLE_CIRCLE };
@@ -147,6 +193,15 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
                         .compose = drive},
     [PM_JOINT_RATIO] = {BODY, BODY, PM_NUMBER_ANY, .nconstraint = 1, .memories = 1, .slip = PM_NONE,
                         .compose = ratio},
+    [PM_JOINT_PLACED] = {POINT, POINT, .programs = 2, .nconstraint = 2, .slip = PM_NONE, .compose = placed},
+    [PM_JOINT_ANGLE] = {BODY, BODY, .programs = 1, .nconstraint = 1, .slip = PM_NONE, .compose = angle},
+    [PM_JOINT_LENGTH] = {POINT, POINT, .programs = 1, .nconstraint = 1, .slip = PM_NONE, .compose = length},
+    [PM_JOINT_PIN_ANGLE] = {POINT, POINT, .programs = 1, .nconstraint = 3, .slip = PM_CONSTRAINT_RATIO,
+                            .compose = pin_angle},
+    [PM_JOINT_SLIDER_PLACE] = {POINT, LINE, .programs = 1, .nconstraint = 2,
+                               .slip = PM_CONSTRAINT_LINE_TANGENT, .compose = slider_place},
+    [PM_JOINT_SLIDER_FIXED_PLACE] = {POINT, LINE, PM_NUMBER_ANY, .programs = 1, .nconstraint = 3,
+                                     .slip = PM_CONSTRAINT_LINE_TANGENT, .compose = slider_fixed_place},
 };
 
 const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }

@@ -23,7 +23,7 @@ enum pm_joint_repeats {
 typedef struct pm_joint_ops {
     int a, b;     /* the tables of its partners */
     int number;   /* enum pm_joint_number */
-    int programs; /* 0, 1 or 2 of prescribed rates */
+    int programs; /* 0, 1 or 2 of prescribed rates or places */
     int nconstraint;
     int memories; /* so many of its last constraints keep an anchor */
     int presses;  /* constraint 0 is a normal force */

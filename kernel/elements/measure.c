@@ -51,6 +51,8 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_JOINT_FRICTION] = {JOINT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_joint_friction},
     [PM_MEASURE_JOINT_FRICTION_NEEDED] = {JOINT, MOTION, CONVEX, 0, DYNAMIC,
                                           .scalar = pm_measured_joint_friction_needed},
+    [PM_MEASURE_JOINT_POWER] = {JOINT, MOTION, UNKNOWN, NO_DEGREE, DYNAMIC,
+                                .scalar = pm_measured_joint_power},
     [PM_MEASURE_CONTACT_GAP] = {CONTACT, PLACE, SAME, 2, 0, .scalar = pm_measured_contact_gap},
     [PM_MEASURE_CONTACT_CLOSED] = {CONTACT, MOTION, SAME, 0, 0, .scalar = pm_measured_contact_closed},
     [PM_MEASURE_CONTACT_SLIP] = {CONTACT, MOTION, ROOT, 1, 0, .scalar = pm_measured_contact_slip},
@@ -165,6 +167,7 @@ static int joint_has(const pm_model *m, int kind, int joint)
     const int slides = ops->slip != PM_NONE && ops->slip != PM_CONSTRAINT_RATIO;
     switch (kind) {
     case PM_MEASURE_JOINT_FRICTION: return ops->presses || slides;
+    case PM_MEASURE_JOINT_POWER: return ops->programs > 0;
     case PM_MEASURE_JOINT_NORMAL:
     case PM_MEASURE_JOINT_FRICTION_NEEDED: return ops->presses;
     default: return 1;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "elements/drive.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
 #include "elements/measure_kinds.h"
@@ -71,6 +72,18 @@ void pm_measured_joint_impulse(const pm_measure_args *x, double out[2])
     double sum[3];
     joint_sum(x, x->w->impulses.joint, sum);
     memcpy(out, sum, 2 * sizeof *out);
+}
+/* Of a driven joint: its constraints come with what they prescribe. */
+double pm_measured_joint_power(const pm_measure_args *x)
+{
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
+    const int n = pm_joint_constraints(&x->w->frame, &x->w->state, x->a, c);
+    const int *place = x->w->active.of_joint + x->w->model->joint_constraint[x->a];
+    double sum = 0;
+    for (int k = 0; k < n; k++)
+        if (c[k].drive != PM_NONE && place[k] != PM_NONE)
+            sum += pm_reaction(x->w, place[k]) * pm_drive_rate(&x->w->frame, &c[k]);
+    return sum;
 }
 static double constraint_reaction(const pm_measure_args *x, int row)
 {

@@ -24,7 +24,7 @@ pm_vector pm_measured_momentum, pm_measured_pole, pm_measured_position, pm_measu
     pm_measured_velocity, pm_measured_acceleration;
 /* measure_joint.c */
 pm_scalar pm_measured_joint_couple, pm_measured_joint_normal, pm_measured_joint_friction,
-    pm_measured_joint_friction_needed;
+    pm_measured_joint_friction_needed, pm_measured_joint_power;
 pm_vector pm_measured_joint_force, pm_measured_joint_impulse;
 /* measure_contact.c */
 pm_scalar pm_measured_contact_gap, pm_measured_contact_closed, pm_measured_contact_slip,

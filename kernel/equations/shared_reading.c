@@ -110,7 +110,7 @@ int pm_shared_is_unique(pm_workspace *w, int program)
 /* A couple counts as the force that makes it at the scene's size. */
 static double weight_of(const pm_workspace *w, const pm_constraint *c)
 {
-    const int couple = c->kind == PM_CONSTRAINT_ANGLE || c->kind == PM_CONSTRAINT_RATIO;
+    const int couple = pm_constraint_is_angle(c);
     return couple ? 1 / (w->numbers.size * w->numbers.size) : 1;
 }
 

@@ -11,6 +11,8 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/drive.h"
+#include "elements/joint.h"
 #include "elements/measure.h"
 #include "elements/turning_plane.h"
 #include "equations/active_set.h"
@@ -210,6 +212,23 @@ static void leave_out_added(const pm_model *m, pm_state *s)
     }
 }
 
+/* What is prescribed at the start is a number, and a length is greater than 0. */
+static int check_prescribed(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
+        const int is_length = PM_JOINT_ROW(w->model, i)[PM_JOINT_KIND] == PM_JOINT_LENGTH;
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
+        for (int k = 0; k < n; k++) {
+            if (c[k].drive == PM_NONE || c[k].prescribes != PM_PRESCRIBES_PLACE) continue;
+            const double place = pm_drive_of(&w->frame, &c[k]).place;
+            if (!isfinite(place) || (is_length && !(place > 0)))
+                return pm_fail(&w->result, PM_BAD_VALUE, PM_TABLE_JOINT, i, place, is_length ? 0 : INFINITY);
+        }
+    }
+    return PM_OK;
+}
+
 static void draw(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -242,7 +261,9 @@ int pm_start(pm_workspace *w, pm_start_report *report)
     *report = (pm_start_report){0, 0};
     pm_active_set_clear(&w->active, w->model);
     draw(w);
-    int status = pm_start_assemble(w, report);
+    pm_frame_look_state(&w->frame, &w->state);
+    int status = check_prescribed(w);
+    if (!status) status = pm_start_assemble(w, report);
     if (!status) status = pm_start_check_couplings(w);
     if (status) return status;
     pm_active_set_anchor_start(&w->frame, &w->state, &w->state);

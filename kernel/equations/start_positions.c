@@ -25,7 +25,7 @@ static double worst_opening(pm_workspace *w, int *table, int *row)
         for (int k = 0; k < n; k++) {
             if (c[k].memory != PM_NONE) continue; /* no slip: anchored where the assembly ends */
             pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
-            const double size = fabs(c[k].g) * (c[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
+            const double size = fabs(c[k].g) * (pm_constraint_is_angle(&c[k]) ? w->numbers.size : 1);
             if (!(size <= worst)) {
                 worst = size;
                 *table = PM_TABLE_JOINT;

@@ -40,9 +40,9 @@ void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, c
  * of the workspace are run by these numbers, until pm_case_values is told of other parameters. */
 void pm_program_numbers(pm_workspace *w);
 
-/* A program that reads no measure but the time, at the time t; *rate: how fast it changes. */
+/* A program that reads no measure but the time, at the time t, and its first and second derivative by the time. */
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
-                          double *rate);
+                          double derivative[2]);
 
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);

@@ -1,5 +1,9 @@
-/* program_rate.c - a program of the time alone with its rate: every number on the stack carries its derivative by t
- * (forward differentiation).  Steps and kinks have the rate of one of their sides. */
+/* program_rate.c - a program of the time alone with its first and second derivative by t: every number on the stack carries
+ * both (forward differentiation).  Of f(a) they are
+ *
+ *   f' a'   and   f'' a'^2 + f' a''
+ *
+ * with f' the slope and f'' the bend of the operation.  Steps and kinks have the derivatives of one of their sides. */
 #include <math.h>
 
 #include "expression/operation.h"
@@ -7,54 +11,100 @@
 #include "expression/program.h"
 
 typedef struct pm_timed {
-    double x, rate;
+    double x, rate, change; /* value, d/dt, d2/dt2 */
 } pm_timed;
+
+typedef struct pm_shape {
+    double slope, bend; /* of an operation at its argument */
+} pm_shape;
+
+/* At the argument a, where the value is x. */
+static pm_shape shape_of(int op, double a, double x)
+{
+    switch (op) {
+    case PM_OP_NEG: return (pm_shape){-1, 0};
+    case PM_OP_SIN: return (pm_shape){cos(a), -x};
+    case PM_OP_COS: return (pm_shape){-sin(a), -x};
+    case PM_OP_TAN: return (pm_shape){1 + x * x, 2 * x * (1 + x * x)};
+    case PM_OP_ASIN: return (pm_shape){1 / sqrt(1 - a * a), a / pow(1 - a * a, 1.5)};
+    case PM_OP_ACOS: return (pm_shape){-1 / sqrt(1 - a * a), -a / pow(1 - a * a, 1.5)};
+    case PM_OP_ATAN: return (pm_shape){1 / (1 + a * a), -2 * a / ((1 + a * a) * (1 + a * a))};
+    case PM_OP_TANH: return (pm_shape){1 - x * x, -2 * x * (1 - x * x)};
+    case PM_OP_SQRT: return (pm_shape){0.5 / x, -0.25 / (x * a)};
+    case PM_OP_ABS: return (pm_shape){a < 0 ? -1 : 1, 0};
+    case PM_OP_EXP: return (pm_shape){x, x};
+    case PM_OP_LOG: return (pm_shape){1 / a, -1 / (a * a)};
+    default: return (pm_shape){0, 0}; /* not, floor, sign */
+    }
+}
 
 static pm_timed unary(int op, pm_timed a)
 {
     const double x = pm_operations[op].one(a.x);
-    double slope;
-    switch (op) {
-    case PM_OP_NEG: slope = -1; break;
-    case PM_OP_SIN: slope = cos(a.x); break;
-    case PM_OP_COS: slope = -sin(a.x); break;
-    case PM_OP_TAN: slope = 1 + x * x; break;
-    case PM_OP_ASIN: slope = 1 / sqrt(1 - a.x * a.x); break;
-    case PM_OP_ACOS: slope = -1 / sqrt(1 - a.x * a.x); break;
-    case PM_OP_ATAN: slope = 1 / (1 + a.x * a.x); break;
-    case PM_OP_TANH: slope = 1 - x * x; break;
-    case PM_OP_SQRT: slope = 0.5 / x; break;
-    case PM_OP_ABS: slope = a.x < 0 ? -1 : 1; break;
-    case PM_OP_EXP: slope = x; break;
-    case PM_OP_LOG: slope = 1 / a.x; break;
-    default: slope = 0; /* not, floor */
-    }
-    return (pm_timed){x, a.rate == 0 ? 0 : slope * a.rate};
+    if (a.rate == 0 && a.change == 0) return (pm_timed){x, 0, 0};
+    const pm_shape f = shape_of(op, a.x, x);
+    const double bent = a.rate == 0 ? 0 : f.bend * a.rate * a.rate;
+    return (pm_timed){x, a.rate == 0 ? 0 : f.slope * a.rate, bent + (a.change == 0 ? 0 : f.slope * a.change)};
 }
 
-static double power_rate(pm_timed a, pm_timed b, double x)
+static pm_timed product(pm_timed a, pm_timed b)
 {
-    const double by_base = a.rate == 0 ? 0 : b.x * pow(a.x, b.x - 1) * a.rate;
-    return by_base + (b.rate == 0 ? 0 : x * log(a.x) * b.rate);
+    return (pm_timed){a.x * b.x, a.rate * b.x + a.x * b.rate,
+                      a.change * b.x + 2 * a.rate * b.rate + a.x * b.change};
+}
+
+static pm_timed ratio(pm_timed a, pm_timed b, double x)
+{
+    const double rate = (a.rate - x * b.rate) / b.x;
+    return (pm_timed){x, rate, (a.change - 2 * rate * b.rate - x * b.change) / b.x};
+}
+
+static int changes(pm_timed a) { return a.rate != 0 || a.change != 0; }
+
+/* a to a constant power n. */
+static pm_timed power_of(pm_timed a, double n, double x)
+{
+    if (!changes(a) || n == 0) return (pm_timed){x, 0, 0};
+    const double slope = n * pow(a.x, n - 1), bend = n == 1 ? 0 : n * (n - 1) * pow(a.x, n - 2);
+    return (pm_timed){x, slope * a.rate, (a.rate == 0 ? 0 : bend * a.rate * a.rate) + slope * a.change};
+}
+
+/* exp(l), l = b log a */
+static pm_timed power(pm_timed a, pm_timed b, double x)
+{
+    if (!changes(b)) return power_of(a, b.x, x);
+    const pm_timed log_a = unary(PM_OP_LOG, a), l = product(b, log_a);
+    return (pm_timed){x, x * l.rate, x * (l.change + l.rate * l.rate)};
+}
+
+static pm_timed direction(pm_timed a, pm_timed b, double x)
+{
+    const double square = a.x * a.x + b.x * b.x, rate = (a.rate * b.x - a.x * b.rate) / square;
+    const double change = a.change * b.x - a.x * b.change - 2 * rate * (a.x * a.rate + b.x * b.rate);
+    return (pm_timed){x, rate, change / square};
+}
+
+static pm_timed size(pm_timed a, pm_timed b, double x)
+{
+    const double rate = (a.x * a.rate + b.x * b.rate) / x, squares = a.rate * a.rate + b.rate * b.rate;
+    return (pm_timed){x, rate, (squares + a.x * a.change + b.x * b.change - rate * rate) / x};
 }
 
 static pm_timed binary(int op, pm_timed a, pm_timed b)
 {
-    const double x = pm_operations[op].two(a.x, b.x), square = a.x * a.x + b.x * b.x;
-    double rate;
+    const double x = pm_operations[op].two(a.x, b.x);
     switch (op) {
-    case PM_OP_ADD: rate = a.rate + b.rate; break;
-    case PM_OP_SUB: rate = a.rate - b.rate; break;
-    case PM_OP_MUL: rate = a.rate * b.x + a.x * b.rate; break;
-    case PM_OP_DIV: rate = (a.rate - x * b.rate) / b.x; break;
-    case PM_OP_POW: rate = power_rate(a, b, x); break;
-    case PM_OP_ATAN2: rate = (a.rate * b.x - a.x * b.rate) / square; break;
-    case PM_OP_HYPOT: rate = (a.x * a.rate + b.x * b.rate) / x; break;
+    case PM_OP_ADD: return (pm_timed){x, a.rate + b.rate, a.change + b.change};
+    case PM_OP_SUB: return (pm_timed){x, a.rate - b.rate, a.change - b.change};
+    case PM_OP_MUL: return product(a, b);
+    case PM_OP_DIV: return ratio(a, b, x);
+    case PM_OP_POW: return power(a, b, x);
+    case PM_OP_ATAN2: return direction(a, b, x);
+    case PM_OP_HYPOT: return size(a, b, x);
     case PM_OP_MIN:
-    case PM_OP_MAX: rate = x == a.x ? a.rate : b.rate; break;
-    default: rate = 0; /* comparisons, logic */
+    case PM_OP_MAX: return x == a.x ? a : (pm_timed){x, b.rate, b.change}; /* x may be no number */
+    default: return (pm_timed){x, 0, 0};                                   /* comparisons, logic */
     }
-    return (pm_timed){x, rate};
 }
 
 /* x and the number of a piece. */
@@ -69,11 +119,11 @@ static pm_timed look_up(const pm_program_walk *x, const pm_timed *a)
 }
 
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
-                          double *rate)
+                          double derivative[2])
 {
     pm_timed stack[PM_STACK];
     stack[0] = stack[1] = stack[2] =
-        (pm_timed){NAN, NAN}; /* no valid code reads them before they are pushed */
+        (pm_timed){NAN, NAN, NAN}; /* no valid code reads them before they are pushed */
     for (pm_program_walk x = pm_program_walk_begin(m, index); pm_program_walk_next(&x);) {
         pm_timed *a = stack + x.at;
         if (pm_operation_of_table(x.op)) {
@@ -82,14 +132,15 @@ double pm_program_of_time(const pm_model *m, int index, const double *param, con
         }
         switch (x.takes) {
         case 0: /* check.c allows no measure but the time */
-            *a =
-                x.op == PM_OP_MEASURE ? (pm_timed){t, 1} : (pm_timed){pm_program_number(&x, param, value), 0};
+            *a = x.op == PM_OP_MEASURE ? (pm_timed){t, 1, 0}
+                                       : (pm_timed){pm_program_number(&x, param, value), 0, 0};
             break;
         case 1: *a = unary(x.op, *a); break;
         case 2: *a = binary(x.op, a[0], a[1]); break;
         default: *a = a[0].x != 0 ? a[1] : a[2];
         }
     }
-    *rate = stack[0].rate;
+    derivative[0] = stack[0].rate;
+    derivative[1] = stack[0].change;
     return stack[0].x;
 }

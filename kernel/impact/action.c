@@ -172,7 +172,7 @@ static int fits(pm_workspace *w, int i, int joint)
     const double allowed = PM_ACTION_OPENING * w->numbers.size;
     for (int k = 0; k < n; k++) {
         pm_constraint_kind(c[k].kind)->evaluate(&w->frame, &c[k]);
-        const double open = fabs(c[k].g) * (c[k].kind == PM_CONSTRAINT_ANGLE ? w->numbers.size : 1);
+        const double open = fabs(c[k].g) * (pm_constraint_is_angle(&c[k]) ? w->numbers.size : 1);
         if (!(open <= allowed)) return pm_fail(&w->result, PM_ASSEMBLY, PM_TABLE_ACTION, i, open, allowed);
     }
     return PM_OK;
@@ -214,8 +214,7 @@ static int clash(pm_workspace *w, int *clashes)
     pm_saddle_evaluate(&w->active, &w->frame);
     for (int i = 0; !status && i < w->active.n; i++) {
         const pm_constraint *c = &w->active.constraint[i];
-        const double length =
-            c->kind == PM_CONSTRAINT_ANGLE || c->kind == PM_CONSTRAINT_RATIO ? w->numbers.size : 1;
+        const double length = pm_constraint_is_angle(c) ? w->numbers.size : 1;
         const double rate = pm_constraint_times(&w->frame, c, w->state.v) - c->rate;
         *clashes |= fabs(rate) * length > pm_contact_speed(&w->frame);
     }

@@ -15,6 +15,7 @@
 #include "events/step.h"
 #include "impact/action.h"
 #include "impact/contact_modes.h"
+#include "impact/drives.h"
 #include "impact/impact.h"
 #include "impact/switches.h"
 #include "impact/table_ends.h"
@@ -76,7 +77,9 @@ static int is_settled(const pm_workspace *w)
 /* Blows, and the modes after them.  Where no motion goes on from there an impact without collision may. */
 static int strike(pm_workspace *w, int *jumped)
 {
-    int status = pm_impact(w, jumped);
+    int driven, status = pm_drives_strike(w, &driven);
+    if (!status) status = pm_impact(w, jumped);
+    if (!status) *jumped += driven;
     if (!status && w->instant.jams) status = pm_impact_without_collision(w, (*jumped)++);
     w->instant.jams = 0;
     if (*jumped) pm_trigger_jump_sides(w);

@@ -257,6 +257,7 @@
 #define PM_JOINTS_FREE 1e-12 /* of the response of a joint's slip, or of what moves its reaction: none; larger: frictions are left out */
 #define PM_INSTANTS_AT_ONCE 1000 /* instants with no time between them; more: contacts that change in turn for ever end later */
 #define PM_AT_ONCE 1e-14 /* of the time: so much is none; larger: short phases are none */
+#define PM_DRIVE_SAME 1e-11 /* of the scene's size: a prescribed place that changes by less at an instant does not jump; larger: small steps are passed over */
 #define PM_SWITCH_LOOK 1e-4 /* of the time size / speed: so far ahead a look tells to which side a switch is left; larger: it may turn back */
 #define PM_SWITCH_ON_ZERO 1e-7 /* of what it changes by in that look: on zero; larger: a switch that is passed soon is on zero */
 #define PM_SWITCH_AGAIN 1e-7 /* of the time size / speed: a force that switches again within it does so at once; larger: fast vibrations through a switch end the run */

@@ -190,6 +190,7 @@ static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
     return 1;
 }
 
+/* Without what is driven: that is not solved, since it depends on the time. */
 static pm_group joint_group(const pm_model *m, const pm_active_set *active, int joint)
 {
     const int first = m->joint_constraint[joint];
@@ -197,7 +198,8 @@ static pm_group joint_group(const pm_model *m, const pm_active_set *active, int 
         joint + 1 < m->rows[PM_TABLE_JOINT] ? m->joint_constraint[joint + 1] : m->njoint_constraint;
     pm_group g = {.n = 0};
     for (int i = first; i < end && g.n < PM_JOINT_CONSTRAINTS; i++)
-        if (active->of_joint[i] >= 0) g.constraint[g.n++] = active->of_joint[i];
+        if (active->of_joint[i] >= 0 && active->constraint[active->of_joint[i]].drive == PM_NONE)
+            g.constraint[g.n++] = active->of_joint[i];
     return g;
 }
 

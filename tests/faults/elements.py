@@ -52,9 +52,39 @@ FAULTS = [
         "more = 1",
     ),
     Fault(
+        "prescribed length: no acceleration",
+        "elements/constraint_distance.c",
+        "c->gamma += c->sign * length.change;",
+        "",
+    ),
+    Fault(
+        "prescribed angle of a pin: taken for a rate",
+        "elements/joint.c",
+        "c->drive = e[PM_JOINT_PROGRAM_X]; c->prescribes = PM_PRESCRIBES_PLACE;",
+        "c->drive = e[PM_JOINT_PROGRAM_X];",
+    ),
+    Fault(
+        "prescribed place: a jump is not seen",
+        "elements/drive.c",
+        "return at(frame, c->drive, frame->t, derivative) - before;",
+        "return 0 * before;",
+    ),
+    Fault(
+        "a motor that moves with a place that is given is taken for uniform",
+        "elements/constant_motion.c",
+        "(class == PM_CLASS_TIME && c->prescribes == PM_PRESCRIBES_PLACE)",
+        "class == PM_CLASS_TIME || class == PM_CLASS_MOTION",
+    ),
+    Fault(
+        "prescribed place: its second derivative is left out",
+        "elements/drive.c",
+        "return (pm_drive_motion){x, derivative[0], derivative[1]};",
+        "return (pm_drive_motion){x, derivative[0], 0};",
+    ),
+    Fault(
         "belt: friction does not know that it runs",
         "elements/constraint_kind.c",
-        "return pm_constraint_rate(frame, c) - pm_drive_rate(frame, c->drive);",
+        "return pm_constraint_rate(frame, c) - pm_drive_rate(frame, c);",
         "return pm_constraint_rate(frame, c);",
     ),
     Fault(
@@ -116,7 +146,7 @@ FAULTS = [
     Fault(
         "drive: no acceleration",
         "elements/constraint_drive.c",
-        "c->gamma += pm_drive_change(frame, c->drive);",
+        "c->gamma += drive.change;",
         "",
     ),
     Fault(
@@ -146,8 +176,8 @@ FAULTS = [
     Fault(
         "jacobian: line that turns, tangent",
         "elements/constraint_line.c",
-        "pm_dot(x.d, l.n) - c->radius_a; c->g = rolled",
-        "pm_dot(x.d, l.n) + c->radius_a; c->g = rolled",
+        "pm_dot(x.d, l.n) - c->radius_a; const pm_drive_motion",
+        "pm_dot(x.d, l.n) + c->radius_a; const pm_drive_motion",
     ),
     Fault(
         "gamma: line, Coriolis",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "second derivatives: a product has no mixed term",
+        "expression/program_rate.c",
+        "a.change * b.x + 2 * a.rate * b.rate + a.x * b.change",
+        "a.change * b.x + a.x * b.change",
+    ),
+    Fault(
         "enclosure: a product bends by its factors alone",
         "expression/enclosure_rules.c",
         "pm_interval_scaled(2, TIMES(a->rate, b->rate))",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "drives: a rate that jumps is no blow",
+        "impact/drives.c",
+        "*clashes |= fabs(off) * length > pm_contact_speed(&w->frame);",
+        "(void)off;",
+    ),
+    Fault(
         "a blow that was followed in vain leaves its mode behind",
         "impact/impact_trial.c",
         "return b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",

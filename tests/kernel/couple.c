@@ -29,15 +29,19 @@ static double residual(pm_workspace *w, pm_constraint row, double t)
 static void check_row(pm_workspace *w, pm_constraint row)
 {
     pm_frame_look_state(&w->frame, &w->state);
-    pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
+    if (row.memory != PM_NONE)
+        pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
     pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-    NEAR(row.g, 0, 1e-14);
+    if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
+    const double here = row.g;
     double before = residual(w, row, -STEP), after = residual(w, row, STEP);
     NEAR((after - before) / (2 * STEP), pm_constraint_times(&w->frame, &row, w->state.v) - row.rate, 1e-7);
-    NEAR((after + before) / (STEP * STEP), -row.gamma, 1e-6);
+    NEAR((after + before - 2 * here) / (STEP * STEP), -row.gamma, 1e-6);
     pm_frame_look_state(&w->frame, &w->state);
-    /* the force of a drive is taken at the point of a, friction where the circle touches the line */
-    const int off = row.kind == PM_CONSTRAINT_DRIVE || row.kind == PM_CONSTRAINT_LINE_TANGENT;
+    /* the force of a drive is taken at the point of a, friction where the circle touches the line, a pin's at one of both */
+    const int apart = row.kind == PM_CONSTRAINT_POINT_X || row.kind == PM_CONSTRAINT_POINT_Y ||
+                      row.kind == PM_CONSTRAINT_LINE_NORMAL;
+    const int off = apart || row.kind == PM_CONSTRAINT_DRIVE || row.kind == PM_CONSTRAINT_LINE_TANGENT;
     if (!off)
         NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);
     NEAR(pm_constraint_slip(&w->frame, &row), pm_constraint_rate(&w->frame, &row) - row.rate, 1e-15);
@@ -103,6 +107,15 @@ static void rows(int ground_side)
     scene_drive(s, PM_JOINT_RATE, body[0], body[1], program, PM_NONE);
     scene_joint(s, PM_JOINT_RATIO, body[0], body[1], -2.5);
     scene_drive(s, PM_JOINT_DRIVE, 0, 1, program, SCENE_PROGRAM(s, scene_k(s, 0.6)));
+    const int other =
+        SCENE_PROGRAM(s, scene_k(s, 2), scene_m(scene_time(s)), scene_op(PM_OP_COS), scene_op(PM_OP_SUB));
+    scene_drive(s, PM_JOINT_PLACED, 0, 1, program, other);
+    scene_drive(s, PM_JOINT_ANGLE, body[0], body[1], program, PM_NONE);
+    scene_drive(s, PM_JOINT_LENGTH, 0, 1, other, PM_NONE);
+    scene_drive(s, PM_JOINT_PIN_ANGLE, 0, 1, other, PM_NONE);
+    scene_drive(s, PM_JOINT_SLIDER_PLACE, 0, line, program, PM_NONE);
+    const int fixed = scene_drive(s, PM_JOINT_SLIDER_FIXED_PLACE, 0, line, other, PM_NONE);
+    s->cell[PM_TABLE_JOINT][fixed * PM_JOINT_COLUMNS + PM_JOINT_VALUE] = scene_value(s, 0.3);
     const int touch = scene_contact(s, PM_CONTACT_LINE, circle[0], line, 0, 0, PM_FRICTION_ROUGH, 0);
     s->cell[PM_TABLE_CONTACT][touch * PM_CONTACT_COLUMNS + PM_CONTACT_SPEED] = program;
     check_scene(s);

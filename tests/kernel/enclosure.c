@@ -39,9 +39,9 @@ static int write(scene *s, int time, int depth, scene_code *code, int n)
     return n;
 }
 
-static double rate_at(const scene *s, int program, double t, double *rate)
+static double value_at(const scene *s, int program, double t, double derivative[2])
 {
-    return pm_program_of_time(s->model, program, NULL, s->w->numbers.value, t, rate);
+    return pm_program_of_time(s->model, program, NULL, s->w->numbers.value, t, derivative);
 }
 
 /* Points of a stretch without open switches lie in its enclosure; how many were looked at. */
@@ -52,12 +52,15 @@ static int look(const scene *s, int program, double from, double to)
     if (e.open) return 0;
     for (int k = 0; k < 20; k++) {
         const double t = check_random(from, to);
-        double rate;
-        const double x = rate_at(s, program, t, &rate), small = 1e-12 * (1 + fabs(x));
+        double derivative[2];
+        const double x = value_at(s, program, t, derivative), small = 1e-12 * (1 + fabs(x)),
+                     rate = derivative[0], bend = derivative[1];
         if (!(fabs(x) < 1e60 && fabs(rate) < 1e60)) return 0; /* see EXPONENT_MOST */
         CHECK(x >= e.jet.value.lo - small && x <= e.jet.value.hi + small);
         CHECK(rate >= e.jet.rate.lo - 1e-9 * (1 + fabs(rate)) &&
               rate <= e.jet.rate.hi + 1e-9 * (1 + fabs(rate)));
+        CHECK(!isfinite(bend) || (bend >= e.jet.bend.lo - 1e-9 * (1 + fabs(bend)) &&
+                                  bend <= e.jet.bend.hi + 1e-9 * (1 + fabs(bend))));
         if (k % 2) {
             const double off = fabs(rate - last), most = pm_interval_size(e.jet.bend) * (to - from);
             CHECK(off <= most + 1e-9 * (1 + fabs(rate)));

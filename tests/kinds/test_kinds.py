@@ -53,6 +53,13 @@ VARIANTS = {
         'e = { force = "a.E", power = "3 W" }\n[start]\na.velocity.x = "1 m/s"',
     ),
     "couple of given power": ("couple", 'e = { couple = "a", power = "3 W" }\n[start]\na.omega = "1 rad/s"'),
+    "pin of given angle": ("pin", 'e = { pin = ["a.E", "ground"], angle = "t*(2 rad/s)" }'),
+    "slider of given position": (
+        "slider",
+        'e = { slider = ["a.center", "ground.axis"], position = "(-0.5 m) + (1 m)*sin(t/(1 s))" }',
+    ),
+    "link of given length": ("link", 'e = { link = ["a.E", "b.center"], length = "(0.9 m) + t*(1 m/s)" }'),
+    "motor of given angle": ("motor", 'e = { motor = ["a", "b"], angle = "sin(t/(1 s))" }'),
     "damper of points": ("damper", 'e = { damper = ["a.E", "ground.S"], rate = "3 N*s/m" }'),
 }
 GROUP = {word: group for group, kinds in KINDS.items() if group != "contacts" for word in kinds}

@@ -16,7 +16,7 @@ FAULTS = [
     (
         'joints.A = { pin = ["AB.A", "ground"], frictoin = 0.1 }',
         'joints.A.frictoin: unknown key (did you mean "friction"?); a pin has friction, '
-        "friction_couple, active",
+        "friction_couple, angle, active",
     ),
     ('untill = "start"', 'did you mean "until"?'),
     ('bodies.AB.colour = "red"', "bodies.AB.colour: unknown key; a body has rod, disk, "),

@@ -46,6 +46,7 @@ WORDS: Mapping[str, Mapping[str, set[str]]] = {
     "measures": {
         "body": set(words.BODY_QUANTITIES),
         "point": set(words.POINT_QUANTITIES),
+        "driven": set(words.DRIVE_QUANTITIES),
         "joint": set(words.JOINT_QUANTITIES),
         "coupling": COUPLING_QUANTITIES,
         "contact": set(words.CONTACT_QUANTITIES),
@@ -73,6 +74,9 @@ bodies.body = { disk = "0.5 m", mass = "2 kg", at = [0, 0] }
 bodies.other = { disk = "0.5 m", mass = "2 kg", at = ["3 m", 0] }
 joints.joint = { slider = ["body.center", "ground.floor"] }
 joints.rolls = { rolling = ["other.rim", "ground.floor"] }
+bodies.moved = { disk = "0.5 m", mass = "2 kg", driven.at = ["(9 m) + t*(1 m/s)", 0] }
+bodies.turned = { disk = "0.5 m", mass = "2 kg", at = ["20 m", 0] }
+joints.turned_by = { pin = ["turned.center", "ground"], angle = "t*(1 rad/s)" }
 couplings.cord = { cord = ["body.center", "other.center"] }
 couplings.gears = { gears = ["body.rim", "other.rim"] }
 couplings.motor = { motor = ["body", "ground"], value = "1 rad/s" }
@@ -113,11 +117,14 @@ def test_a_meaning_is_a_sentence_and_its_unit_a_unit_of_si(where: str, meaning: 
 PREFIX = {
     "point": "body.center.",
     "scene": "",
+    "driven": "moved.driven.",
     **{group: f"{group}." for group in ("body", "joint", "contact")},
 }
 # Measures of elements of a certain kind, and those whose own words follow.
 ELSEWHERE = {
     "joint.friction_needed": "rolls.friction_needed",
+    "joint.power": "turned_by.power",
+    "coupling.power": "motor.power",
     "coupling.tension": "cord.tension",
     "coupling.slack": "cord.slack",
     "coupling.force": "gears.force.x",

@@ -231,7 +231,8 @@ static int step(pm_workspace *w, double t_limit)
     if (status) return status;
     double h = fmin(r->next, longest_step(w)), first = h;
     for (int rejected = 0, sidesteps = 0;;) {
-        const int last = r->t0 + h >= t_limit;
+        /* what would be left may be too short for a step of its own */
+        const int last = r->t0 + h >= t_limit - 2 * PM_RK_LEAST_STEP * fabs(t_limit);
         h = last ? t_limit - r->t0
                  : r->t0 + h - r->t0; /* exactly what the time goes on by, however late it is */
         if (!(h > PM_RK_LEAST_STEP * fabs(r->t0)))

@@ -83,7 +83,7 @@ class Acts:
             if path != f"bodies.{name}.driven" or f"{name}.mass" not in found:
                 continue
             kind = made.tables.rows[layout.PM_TABLE_JOINT][index][layout.PM_JOINT_KIND]
-            if kind == layout.PM_JOINT_DRIVE:
+            if kind in (layout.PM_JOINT_DRIVE, layout.PM_JOINT_PLACED):
                 force = tuple(
                     _leaf(made, found, f"{path}.{part}", layout.PM_MEASURE_JOINT_FORCE, index, code)
                     for part, code in (("x", layout.PM_PART_X), ("y", layout.PM_PART_Y))

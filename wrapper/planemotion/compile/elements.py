@@ -17,7 +17,7 @@ from ..geometry.writer import Writer
 from ..kinds.base import Bearing, BearingJoint, Coupling, Force, Joint, RubbingJoint
 from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MOMENT, VELOCITY
 from ..language.tree import ZERO, Node
-from ..model.tables import Body
+from ..model.tables import Body, Driven
 
 
 @dataclass(frozen=True)
@@ -47,10 +47,10 @@ def add_joint(to: Writer, name: str, joint: Joint) -> JointInfo:
         lambda text, where, index: partner(to.drawing, text, where, *joint.marks[index]),
     )
     try:
-        kind, a, b, value = joint.row(to, first, second, path)
+        row = joint.row(to, first, second, path)
     except SceneError as error:
         raise error.at(path=path) from None
-    index = to.joint(kind, a, b, path, value=value)
+    index = to.joint(row.kind, row.a, row.b, path, value=row.value, programs=row.programs)
     rubs = bool({"friction", "friction_couple"} & joint.model_fields_set)
     if isinstance(joint, RubbingJoint) and rubs:
         _rub(to, joint, index, (first, second), path)
@@ -117,21 +117,49 @@ def add_coupling(to: Writer, name: str, coupling: Coupling) -> CouplingInfo:
         raise error.at(path=path) from None
 
 
-def drive(to: Writer, name: str, body: Body) -> None:
-    """Holds a driven body to what is prescribed: the velocity of its mass centre, and its spin."""
+@dataclass(frozen=True)
+class DriveInfo:
+    """What measures need to know of what drives a body: the rows that hold its place and its angle."""
+
+    place: int
+    angle: int | None
+
+
+def drive(to: Writer, name: str, body: Body) -> DriveInfo:
+    """Holds a driven body to what is prescribed of its place and of its angle."""
     driven = body.driven
     assert driven is not None
     path = f"bodies.{name}.driven"
-    x, y = to.reader.vector(driven.velocity, f"{path}.velocity", VELOCITY, to.over_time)
+    place = _drive_place(to, name, driven, path)
+    if not body.rotates:
+        for key in ("angle", "omega"):
+            if key in driven.model_fields_set:
+                raise SceneError(f"a particle does not rotate; leave out {key}", path=f"{path}.{key}")
+        return DriveInfo(place, None)
+    index = to.drawing.body_index(name)
+    if driven.angle is None:
+        kind, program = layout.PM_JOINT_RATE, to.over_time(driven.omega, f"{path}.omega", ANGULAR_VELOCITY)
+    elif "omega" in driven.model_fields_set:
+        raise SceneError("give angle or omega, not both", path=f"{path}.omega")
+    else:
+        kind, program = layout.PM_JOINT_ANGLE, to.over_time(driven.angle, f"{path}.angle", DIMENSIONLESS)
+    return DriveInfo(place, to.joint(kind, index, layout.PM_GROUND, path, programs=(program,)))
+
+
+def _drive_place(to: Writer, name: str, driven: Driven, path: str) -> int:
     origin = to.drawn.point_at(GROUND, (ZERO, ZERO), path)
-    centre = to.drawn.point(PointRef(name, "G"))
-    to.joint(layout.PM_JOINT_DRIVE, centre, origin, path, programs=(x, y))
-    if body.rotates:
-        omega = to.over_time(driven.omega, f"{path}.omega", ANGULAR_VELOCITY)
-        index = to.drawing.body_index(name)
-        to.joint(layout.PM_JOINT_RATE, index, layout.PM_GROUND, path, programs=(omega,))
-    elif driven.omega != 0:
-        raise SceneError("a particle does not rotate; leave out omega", path=f"{path}.omega")
+    if driven.at is None:
+        velocity = to.reader.vector(driven.velocity, f"{path}.velocity", VELOCITY, to.over_time)
+        centre = to.drawn.point(PointRef(name, "G"))
+        return to.joint(layout.PM_JOINT_DRIVE, centre, origin, path, programs=velocity)
+    if "velocity" in driven.model_fields_set:
+        raise SceneError("give at or velocity, not both", path=f"{path}.velocity")
+    point, written = driven.at.points[0]
+    marks = to.drawing.marks(name)
+    if point not in marks.points:
+        raise SceneError(marks.has_no("point", point, marks.points), path=f"{path}.at.{point}")
+    at = to.reader.vector(written, f"{path}.at", LENGTH, to.over_time)
+    return to.joint(layout.PM_JOINT_PLACED, to.drawn.point(PointRef(name, point)), origin, path, programs=at)
 
 
 @dataclass(frozen=True)

@@ -269,9 +269,9 @@ class _Flattener:
         to = self.writer
         add_contact = Contacts(self.drawn, self.reader, self.tables).add
         driven = {name: body for name, body in self.drawing.bodies.items() if body.driven is not None}
-        for name, body in driven.items():
-            drive(to, name, body)
+        drives = {name: drive(to, name, body) for name, body in driven.items()}
         return Scope(
+            driven=drives,
             joints=Faults().make(joints, partial(add_joint, to)),
             couplings=Faults().make(couplings, partial(add_coupling, to)),
             contacts=Faults().make(contacts, add_contact),

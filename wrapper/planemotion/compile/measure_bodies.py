@@ -13,14 +13,18 @@ from ..language.dimensions import (
     ANGULAR_VELOCITY,
     DIMENSIONLESS,
     ENERGY,
+    FORCE,
     IMPULSE,
     INERTIA,
     LENGTH,
     MASS,
+    MOMENT,
+    POWER,
     VELOCITY,
     Dimension,
 )
 from ..model import words
+from .elements import DriveInfo
 from .measure_rows import MeasureRows, Reading
 
 # Scalar of a body: measure kind, dimension, words that may follow.
@@ -54,6 +58,8 @@ class BodyMeasures:
             raise SceneError(f'"{address}": a quantity is wanted, such as {owner}.x')
         if path[0] in words.BODY_QUANTITIES and owner != GROUND:
             return self._of_body(address, owner)
+        if path[0] == words.DRIVEN and owner in self.rows.scope.driven:
+            return self._of_drive(address, self.rows.scope.driven[owner])
         if path[0] in words.POINT_QUANTITIES:
             if owner == GROUND:
                 raise SceneError(f'"{address}": a point of the ground is wanted before {path[0]}')
@@ -92,6 +98,27 @@ class BodyMeasures:
         self.rows.ends(address, 1)
         self.rows.plain(address, allowed)
         return Reading(self.rows.leaf(kind, index, address), found)
+
+    def _of_drive(self, address: Address, drive: DriveInfo) -> Reading:
+        """What drives a body: the force at its point or mass centre, the couple, the power of both."""
+        what = f"what drives {address.thing}"
+        if len(address.path) < 2 or address.path[1] not in words.DRIVE_QUANTITIES:
+            wanted = ", ".join(words.DRIVE_QUANTITIES)
+            raise SceneError(f'"{address}": a quantity of {what} is wanted: {wanted}')
+        quantity, rest = address.path[1], address.path[2:]
+        self.rows.need_masses((address.thing,))
+        if quantity == "force":
+            sources = [(layout.PM_MEASURE_JOINT_FORCE, drive.place)]
+            return self.rows.vector(address, rest, sources, FORCE, ("in", "along"))
+        self.rows.ends(address, 2)
+        self.rows.plain(address, ())
+        if quantity == "couple":
+            if drive.angle is None:
+                raise SceneError(f'"{address}": a particle does not rotate: no couple acts on it')
+            return Reading(self.rows.leaf(layout.PM_MEASURE_JOINT_COUPLE, drive.angle, address), MOMENT)
+        rows = [drive.place] if drive.angle is None else [drive.place, drive.angle]
+        leaves = [self.rows.leaf(layout.PM_MEASURE_JOINT_POWER, row, address) for row in rows]
+        return Reading(sum(leaves[1:], leaves[0]), POWER)
 
     def _of_point(self, address: Address, ref: PointRef, path: tuple[str, ...]) -> Reading:
         """A quantity of a point; `path` begins with its word."""

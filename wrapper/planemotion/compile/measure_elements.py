@@ -80,9 +80,15 @@ class ElementMeasures:
         if quantity in joint.joint.quantities:
             source = joint.joint.quantities[quantity]
             return Reading(self.rows.leaf(source.kinds[0], joint.index, address), source.dimension)
+        if quantity == "power" and self._is_driven(joint.index):
+            return Reading(self.rows.leaf(layout.PM_MEASURE_JOINT_POWER, joint.index, address), POWER)
         if quantity == "normal" and isinstance(joint.partners[1].mark, LineMark):
             return Reading(self._across_line(address, joint), FORCE)
         raise SceneError(f'"{address}": a {joint.kind} has no {quantity}; it has force, couple, impulse')
+
+    def _is_driven(self, index: int) -> bool:
+        row = self.rows.tables.rows[layout.PM_TABLE_JOINT][index]
+        return row[layout.PM_JOINT_PROGRAM_X] != layout.PM_NONE
 
     def _across_line(self, address: Address, joint: JointInfo) -> Node:
         """The force on the point towards the line's free side, on its left."""

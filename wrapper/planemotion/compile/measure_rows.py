@@ -22,7 +22,7 @@ from ..language.leaves import names
 from ..language.tree import Name, Node, atan2, cos, norm, sin
 from ..model import words
 from .contacts import ContactInfo
-from .elements import CouplingInfo, ForceInfo, JointInfo
+from .elements import CouplingInfo, DriveInfo, ForceInfo, JointInfo
 
 # Parts of a vector.
 PARTS = {
@@ -57,6 +57,7 @@ class Scope:
     contacts: Mapping[str, ContactInfo]
     forces: Mapping[str, ForceInfo]
     events: Mapping[str, int]
+    driven: Mapping[str, DriveInfo]
     inactive: frozenset[str]
 
 

@@ -34,6 +34,17 @@ _DECISIONS = {
     layout.PM_DECISION_PARTS: "whether the two part",
     layout.PM_DECISION_SHARES: "whether it and those that share its load hold",
 }
+# Joints of which a place, an angle or a length is prescribed.
+_PRESCRIBED = frozenset(
+    (
+        layout.PM_JOINT_PLACED,
+        layout.PM_JOINT_ANGLE,
+        layout.PM_JOINT_LENGTH,
+        layout.PM_JOINT_PIN_ANGLE,
+        layout.PM_JOINT_SLIDER_PLACE,
+        layout.PM_JOINT_SLIDER_FIXED_PLACE,
+    )
+)
 _TABLE_NAMES = {value: name.removeprefix("PM_TABLE_").lower() for name, value in layout.pm_table.items()}
 
 
@@ -62,6 +73,19 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     text = _DESCRIPTIONS.get(status)
     if status == layout.PM_UNDECIDED:
         sentence = _undecided(place, int(where[layout.PM_WHERE_MEMBER]), found)
+    elif status == layout.PM_ASSEMBLY and _is_driven(flat, where) and not place.startswith("events."):
+        sentence = _open_drive(place, found, bound)
+    elif status == layout.PM_DRIVE_JUMPS:
+        kind = int(flat.rows(layout.PM_TABLE_JOINT)[int(where[layout.PM_WHERE_ROW])][layout.PM_JOINT_KIND])
+        unit = "rad" if kind in (layout.PM_JOINT_ANGLE, layout.PM_JOINT_PIN_ANGLE) else "m"
+        sentence = (
+            f"{place}: what is prescribed jumps by {found:.6g} {unit}, which no force can do; what was "
+            "answered before stands; let it be continuous: a rate that jumps is a blow"
+        )
+    elif status == layout.PM_BAD_VALUE and _is_driven(flat, where):
+        sentence = f"{place}: what is prescribed is {found:.6g} at the start; " + (
+            "a length must be greater than 0" if math.isfinite(bound) else "a finite number is wanted"
+        )
     elif status == layout.PM_BAD_VALUE:
         sentence = _bad_value(place, found, bound, _unit(flat, where))
     else:
@@ -114,6 +138,24 @@ def _place_name(flat: FlatScene, where: Ints, status: int) -> str:
 
 def _here(place: str) -> str:
     return " where it is added" if place.startswith("events.") else " at the start"
+
+
+def _open_drive(place: str, found: float, bound: float) -> str:
+    return (
+        f"start: what is prescribed at {place} and the values written do not fit: it is missed by "
+        f"{found:.4g} m (an angle: that times the size of the scene; allowed {bound:.2g} m); "
+        'leave the start value of its body out, or mark it as a guess, such as angle = "~0 deg"'
+    )
+
+
+def _is_driven(flat: FlatScene, where: Ints) -> bool:
+    """Whether a place or an angle is prescribed there."""
+    table, row = int(where[layout.PM_WHERE_TABLE]), int(where[layout.PM_WHERE_ROW])
+    return (
+        table == layout.PM_TABLE_JOINT
+        and row >= 0
+        and int(flat.rows(table)[row][layout.PM_JOINT_KIND]) in _PRESCRIBED
+    )
 
 
 def _open_joint(place: str, found: float, bound: float) -> str:

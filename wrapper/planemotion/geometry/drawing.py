@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 from .. import _layout as layout
@@ -18,11 +19,11 @@ from ..base.errors import SceneError
 from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..language.tree import ZERO, Node, atan2, cos, sin
 from ..model.element import Kind
-from ..model.readers import Vector
+from ..model.readers import Value, Vector
 from ..model.tables import Body, Ground
 from ..model.words import unknown
 from .marks import Marks, Pair, body_marks, distance, ground_marks, rod_length
-from .packing import Tables
+from .packing import Tables, at_start
 from .parameters import Reader, is_guess
 
 GROUND = "ground"
@@ -75,6 +76,9 @@ class Drawn(Protocol):
     @property
     def joints(self) -> Mapping[str, Kind]: ...
 
+    @property
+    def couplings(self) -> Mapping[str, Kind]: ...
+
 
 class Drawing:
     """Names, marks and drawn poses of the bodies of one run and of the ground."""
@@ -90,6 +94,7 @@ class Drawing:
         self._poses: dict[str, Pose] = {}
         self._drawing: list[str] = []
         self._guesses = _guesses(data, bodies)
+        self._turned = _turned(data, bodies)
 
     # ---- names ----
 
@@ -239,6 +244,8 @@ class Drawing:
         marks = self.marks(name)
         path = f"bodies.{name}"
         placed = [self._place(name, point, written) for point, written in body.at.points] if body.at else []
+        if not placed and body.driven is not None and body.driven.at is not None:
+            placed = [self._driven(name, *body.driven.at.points[0])]
         for point, _ in body.at.points if body.at else ():
             if point not in marks.points:
                 raise SceneError(marks.has_no("point", point, marks.points), path=f"{path}.at.{point}")
@@ -254,6 +261,12 @@ class Drawing:
         x = self.tables.leaf(first.position[0] + (c * dx - s * dy), f"{path}.at")
         y = self.tables.leaf(first.position[1] + (s * dx + c * dy), f"{path}.at")
         return Pose(x, y, angle, c, s, tuple(placed), exact)
+
+    def _driven(self, name: str, point: str, written: Vector) -> Placed:
+        """A point drawn where its drive holds it at t = 0; the drive itself holds it there, too."""
+        read = partial(at_start, self.reader)
+        where = f"bodies.{name}.driven.at"
+        return Placed(point, self.reader.vector(written, where, LENGTH, read), (False, False))
 
     def _guess(self, point: str, partner: str) -> Placed:
         """A point drawn where a pin holds it."""
@@ -277,6 +290,9 @@ class Drawing:
             p, q = (one.position for one in placed)
             exact = all(placed[0].exact) and all(placed[1].exact)
             return atan2(q[1] - p[1], q[0] - p[0]) - own, exact
+        if body.angle is None and name in self._turned:
+            written, where, sign = self._turned[name]
+            return sign * at_start(self.reader, written, where, DIMENSIONLESS), False
         if body.angle is None:
             # A body that numbers place is drawn at angle 0; one at another's point is found from the joints.
             at = body.at.points if body.at is not None else ()
@@ -297,9 +313,32 @@ class Drawing:
             raise SceneError(reason, path=f"bodies.{name}.at")
 
 
+def _turned(data: Drawn, bodies: Mapping[str, Body]) -> dict[str, tuple[Value, str, float]]:
+    """Bodies whose angle is prescribed against the ground: what is written, its key path, and the sign."""
+    found: dict[str, tuple[Value, str, float]] = {}
+    for group, kinds in (("joints", data.joints), ("couplings", data.couplings)):
+        for name, one in kinds.items():
+            angle: Value | None = getattr(one, "angle", None)
+            if angle is None:
+                continue
+            owners = [partner.partition(".")[0] for partner in one.partners]
+            if GROUND not in owners:
+                continue
+            body, sign = (owners[0], 1.0) if owners[1] == GROUND else (owners[1], -1.0)
+            found[body] = angle, f"{group}.{name}.angle", sign
+    for name, body in bodies.items():
+        if body.driven is not None and body.driven.angle is not None:
+            found[name] = body.driven.angle, f"bodies.{name}.driven.angle", 1.0
+    return found
+
+
+def _is_driven_to(body: Body) -> bool:
+    return body.driven is not None and body.driven.at is not None
+
+
 def _guesses(data: Drawn, bodies: Mapping[str, Body]) -> dict[str, tuple[tuple[str, str], ...]]:
     """For bodies without `at`: up to two of their points that a pin holds to something placed before."""
-    placed = {name for name, body in bodies.items() if body.at is not None}
+    placed = {name for name, body in bodies.items() if body.at is not None or _is_driven_to(body)}
     guesses: dict[str, tuple[tuple[str, str], ...]] = {}
     pins = [joint.partners for joint in data.joints.values() if joint.kind == "pin"]
     while True:

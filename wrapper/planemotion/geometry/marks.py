@@ -258,7 +258,7 @@ def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> Non
 
 
 def _check_mark_names(marks: Marks, given: tuple[str, ...], key: str) -> None:
-    quantities = (*words.BODY_QUANTITIES, *words.POINT_QUANTITIES)
+    quantities = (*words.BODY_QUANTITIES, *words.POINT_QUANTITIES, words.DRIVEN)
     for name in given:
         words.check_name(name, f"{marks.path}.{key}")
         if name in marks.points or name in quantities:

@@ -232,3 +232,13 @@ def over_time(reader: Reader, tables: Tables, written: Value, where: str, wanted
         return node
     time = tables.measure_leaf(empty_measure(layout.PM_MEASURE_TIME), where)
     return substitute(node, lambda leaf: time if leaf == Name("t") else leaf)
+
+
+def at_start(reader: Reader, written: Value, where: str, wanted: Dimension) -> Node:
+    """The same expression at t = 0, over parameters alone.  Raises SceneError."""
+
+    def resolve(leaf: Leaf) -> Dimension | None:
+        return TIME if leaf == Name("t") else reader.parameters.dimension_of(leaf)
+
+    node = reader.number_of(written, where, wanted, resolve)
+    return substitute(node, lambda leaf: Number(0.0) if leaf == Name("t") else leaf)

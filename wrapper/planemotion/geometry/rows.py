@@ -42,9 +42,11 @@ class ForceRow:
 
 
 class JointRow(NamedTuple):
-    """A row of the kernel's joint table: enum pm_joint_kind, both partners, number with its key path."""
+    """A row of the kernel's joint table: enum pm_joint_kind, both partners, number with its key path, what is
+    prescribed of it over t."""
 
     kind: int
     a: int
     b: int
     value: tuple[Node, str] | None = None
+    programs: tuple[Node, ...] = ()

@@ -1,4 +1,4 @@
-"""A massless link: two points keep their distance."""
+"""A massless link: two points keep their distance, or one that is given over t."""
 
 from __future__ import annotations
 
@@ -24,11 +24,13 @@ class Link(Joint):
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
         where = f"{path}.length"
-        if self.length is not None:
-            length = to.reader.number(self.length, where, LENGTH)
-        else:
-            length = distance(*drawn_pair(to.drawing, a, b))
-        return JointRow(layout.PM_JOINT_LINK, *point_pair(to.drawn, a, b), (length, where))
+        points = point_pair(to.drawn, a, b)
+        if self.length is None:
+            return JointRow(layout.PM_JOINT_LINK, *points, (distance(*drawn_pair(to.drawing, a, b)), where))
+        length = to.over_time(self.length, where, LENGTH)
+        if to.is_steady(length):
+            return JointRow(layout.PM_JOINT_LINK, *points, (length, where))
+        return JointRow(layout.PM_JOINT_LENGTH, *points, programs=(length,))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         ends = sketch.both(a, b)

@@ -1,4 +1,4 @@
-"""A motor: the spin of one body relative to another is given."""
+"""A motor: the spin of one body relative to another is given, or its angle."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
-from ..language.dimensions import ANGULAR_VELOCITY, MOMENT
+from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, MOMENT, POWER
 from ..model.element import Number, Partners, Quantity
 from .base import Coupling
 
@@ -19,19 +19,27 @@ if TYPE_CHECKING:
 
 class Motor(Coupling):
     word = "motor"
-    quantities = {"couple": Quantity((layout.PM_MEASURE_JOINT_COUPLE,), MOMENT, on=True)}
+    quantities = {
+        "couple": Quantity((layout.PM_MEASURE_JOINT_COUPLE,), MOMENT, on=True),
+        "power": Quantity((layout.PM_MEASURE_JOINT_POWER,), POWER),
+    }
     columns = ("couple",)
     partners: Partners
     value: Number | None = None
+    angle: Number | None = None
 
     def rows(self, to: Writer, path: str) -> CouplingRows:
-        where = f"{path}.value"
-        if self.value is None:
-            raise SceneError("the spin of the first body relative to the second is wanted", path=where)
+        if (self.value is None) == (self.angle is None):
+            reason = "the spin of the first body relative to the second is wanted, or angle, and not both"
+            raise SceneError(reason, path=f"{path}.value")
         owners = to.bodies(self.partners, f"{path}.motor")
         a, b = (to.drawing.body_index(owner) for owner in owners)
-        value = to.over_time(self.value, where, ANGULAR_VELOCITY)
-        index = to.joint(layout.PM_JOINT_RATE, a, b, path, programs=(value,))
+        if self.value is not None:
+            kind, program = layout.PM_JOINT_RATE, to.over_time(self.value, f"{path}.value", ANGULAR_VELOCITY)
+        else:
+            assert self.angle is not None
+            kind, program = layout.PM_JOINT_ANGLE, to.over_time(self.angle, f"{path}.angle", DIMENSIONLESS)
+        index = to.joint(kind, a, b, path, programs=(program,))
         return CouplingRows(index, (), (owners,))
 
     def draw(self, sketch: Sketch, where: str) -> Place:

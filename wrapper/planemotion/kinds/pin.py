@@ -1,13 +1,16 @@
-"""A pin: two points coincide."""
+"""A pin: two points coincide; the angle of its bodies may be driven."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
+from ..base.errors import SceneError
 from ..geometry.partners import Partner, point_pair
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
+from ..language.dimensions import DIMENSIONLESS
+from ..model.element import Number
 from .base import BearingJoint
 
 if TYPE_CHECKING:
@@ -17,9 +20,21 @@ if TYPE_CHECKING:
 
 class Pin(BearingJoint):
     word = "pin"
+    angle: Number | None = None
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
-        return JointRow(layout.PM_JOINT_PIN, *point_pair(to.drawn, a, b))
+        points = point_pair(to.drawn, a, b)
+        if self.angle is None:
+            return JointRow(layout.PM_JOINT_PIN, *points)
+        where = f"{path}.angle"
+        if not (to.rotates(a.owner) and to.rotates(b.owner)):
+            raise SceneError("a particle does not rotate; leave out angle", path=where)
+        angle = to.over_time(self.angle, where, DIMENSIONLESS)
+        return JointRow(layout.PM_JOINT_PIN_ANGLE, *points, programs=(angle,))
+
+    @property
+    def holds_direction(self) -> bool:
+        return self.angle is not None
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         at, there = sketch.both(a, b)

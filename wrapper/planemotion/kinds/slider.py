@@ -1,4 +1,4 @@
-"""A slider: a point on a line, whose body may keep its direction."""
+"""A slider: a point on a line, whose body may keep its direction; its place along the line may be driven."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from ..geometry.partners import Partner, one_point
 from ..geometry.push import Push
 from ..geometry.rows import JointRow
 from ..geometry.writer import Writer
-from ..language.dimensions import FORCE
-from ..model.element import Quantity
+from ..language.dimensions import FORCE, LENGTH
+from ..language.tree import Node
+from ..model.element import Number, Quantity
 from .base import RubbingJoint
 
 if TYPE_CHECKING:
@@ -25,16 +26,22 @@ class Slider(RubbingJoint):
     quantities = {"friction": Quantity((layout.PM_MEASURE_JOINT_FRICTION,), FORCE)}
     columns = ("force.x", "force.y", "couple")
     turning: bool = True
+    position: Number | None = None
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
         assert isinstance(b.mark, LineMark)
         point = one_point(to.drawn, a)
         line = to.drawn.line(b.owner, b.mark, b.where)
         # A particle has no direction that could be kept.
+        free, fixed = layout.PM_JOINT_SLIDER, layout.PM_JOINT_SLIDER_FIXED
+        programs: tuple[Node, ...] = ()
+        if self.position is not None:
+            free, fixed = layout.PM_JOINT_SLIDER_PLACE, layout.PM_JOINT_SLIDER_FIXED_PLACE
+            programs = (to.over_time(self.position, f"{path}.position", LENGTH),)
         if self.turning or not to.rotates(a.owner):
-            return JointRow(layout.PM_JOINT_SLIDER, point, line)
+            return JointRow(free, point, line, programs=programs)
         held = to.drawing.angle(a.owner) - to.drawing.angle(b.owner)
-        return JointRow(layout.PM_JOINT_SLIDER_FIXED, point, line, (held, f"{path}.turning"))
+        return JointRow(fixed, point, line, (held, f"{path}.turning"), programs)
 
     @property
     def holds_direction(self) -> bool:

@@ -108,6 +108,24 @@ def read_place(written: Any) -> Place:
     return Place(tuple(places.items()))
 
 
+@dataclass(frozen=True)
+class DrivenPlace:
+    """Where one named point of a body is held, over t."""
+
+    points: tuple[tuple[str, Vector]]
+
+
+def read_driven_place(written: Any) -> DrivenPlace:
+    """What `at` of `driven` may be: a place of the centre, or of one named point."""
+    place = read_place(written)
+    if len(place.points) != 1:
+        raise ValueError("one point is wanted; angle gives the rest")
+    point, at = place.points[0]
+    if isinstance(at, str):
+        raise ValueError('a place over t is wanted, such as ["(1 m/s)*t", 0]')
+    return DrivenPlace(((point, at),))
+
+
 def read_sequence(written: Any) -> tuple[str, ...]:
     """A condition, or a list of conditions."""
     texts = [written] if isinstance(written, str) else written

@@ -15,6 +15,7 @@ from . import words
 from .element import Kind, Number, Pair, Partners, Table, Text
 from .readers import (
     DISTRIBUTIONS,
+    DrivenPlace,
     Offset,
     Place,
     Value,
@@ -23,6 +24,7 @@ from .readers import (
     read_at,
     read_bounds,
     read_circle,
+    read_driven_place,
     read_friction,
     read_grid,
     read_names,
@@ -84,10 +86,12 @@ class Ground(Table):
 
 
 class Driven(Table):
-    """Prescribed motion of a body: of its mass centre, and its spin; values may depend on t."""
+    """Prescribed motion of a body: of its mass centre or of a point, and its spin or angle, over t."""
 
     velocity: Pair = Vector(0, 0)
     omega: Number = 0
+    at: Annotated[DrivenPlace, BeforeValidator(read_driven_place)] | None = None
+    angle: Number | None = None
 
 
 class Spin(Table):

@@ -32,7 +32,9 @@ BODY_QUANTITIES = (
     *("momentum", "angular_momentum", "pole"),
 )
 POINT_QUANTITIES = ("x", "y", "position", "moved", "path", "velocity", "speed", "acceleration")
-JOINT_QUANTITIES = ("force", "couple", "impulse", "normal", "friction", "friction_needed")
+JOINT_QUANTITIES = ("force", "couple", "impulse", "normal", "friction", "friction_needed", "power")
+DRIVEN = "driven"  # before what the drive of a body does
+DRIVE_QUANTITIES = ("force", "couple", "power")
 CONTACT_QUANTITIES = (
     *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
 )

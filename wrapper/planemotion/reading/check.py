@@ -163,7 +163,7 @@ def _unknown_key(
 
 
 def _marks(owner: Mapping[str, Any], path: str) -> None:
-    quantities = (*words.BODY_QUANTITIES, *words.POINT_QUANTITIES)
+    quantities = (*words.BODY_QUANTITIES, *words.POINT_QUANTITIES, words.DRIVEN)
     for group in ("points", "lines", "circles", "rows"):
         for name, mark in words.mapping(owner.get(group, {}), f"{path}.{group}").items():
             place = f"{path}.{group}.{name}"

@@ -35,6 +35,7 @@ _NAMES = {"SceneData": "The file", "Element": "What all elements take", "Bearing
 _MEASURES = {
     "body": "Of a body: `BODY.WORD`",
     "point": "Of a point: `BODY.POINT.WORD`; without a point of the mass centre",
+    "driven": "Of what drives a body: `BODY.driven.WORD`",
     "joint": "Of a joint: `JOINT.WORD`",
     "coupling": "Of a coupling: `COUPLING.WORD`",
     "contact": "Of a contact: `CONTACT.WORD`, of a member of a set or row `CONTACT[3].WORD`",

@@ -66,6 +66,12 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
             {"type": "object", "additionalProperties": {"anyOf": [_TEXT, _VECTOR]}, "maxProperties": 2},
         ]
     },
+    readers.read_driven_place: {
+        "anyOf": [
+            _VECTOR,
+            {"type": "object", "additionalProperties": _VECTOR, "maxProperties": 1, "minProperties": 1},
+        ]
+    },
     readers.read_sequence: _TEXTS,
     readers.read_stops: {**_NAMES, "minItems": 2},
     readers.read_until: {
