@@ -38,13 +38,17 @@ static pm_shape shape_of(int op, double a, double x)
     }
 }
 
+/* A function of a that is x there. */
+static pm_timed along(pm_shape f, pm_timed a, double x)
+{
+    const double bent = a.rate == 0 ? 0 : f.bend * a.rate * a.rate;
+    return (pm_timed){x, a.rate == 0 ? 0 : f.slope * a.rate, bent + (a.change == 0 ? 0 : f.slope * a.change)};
+}
+
 static pm_timed unary(int op, pm_timed a)
 {
     const double x = pm_operations[op].one(a.x);
-    if (a.rate == 0 && a.change == 0) return (pm_timed){x, 0, 0};
-    const pm_shape f = shape_of(op, a.x, x);
-    const double bent = a.rate == 0 ? 0 : f.bend * a.rate * a.rate;
-    return (pm_timed){x, a.rate == 0 ? 0 : f.slope * a.rate, bent + (a.change == 0 ? 0 : f.slope * a.change)};
+    return a.rate == 0 && a.change == 0 ? (pm_timed){x, 0, 0} : along(shape_of(op, a.x, x), a, x);
 }
 
 static pm_timed product(pm_timed a, pm_timed b)
@@ -111,11 +115,11 @@ static pm_timed binary(int op, pm_timed a, pm_timed b)
 static pm_timed look_up(const pm_program_walk *x, const pm_timed *a)
 {
     const pm_piecewise p = pm_piecewise_of(x->m, x->arg);
-    if (x->op == PM_OP_KNOT) return (pm_timed){pm_piecewise_begin(&p, round(a->x)), 0};
+    if (x->op == PM_OP_KNOT) return (pm_timed){pm_piecewise_begin(&p, round(a->x)), 0, 0};
     const double n = x->op == PM_OP_PIECE ? round(a[1].x) : pm_piecewise_number(&p, a->x);
     double derivative[3];
     const double value = pm_piecewise_piece(&p, n, a->x, derivative);
-    return (pm_timed){value, a->rate == 0 ? 0 : derivative[0] * a->rate};
+    return along((pm_shape){derivative[0], derivative[1]}, *a, value);
 }
 
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
