@@ -43,6 +43,7 @@ enum pm_status {
     PM_TABLE_ENDS = 17,       /* a force or a drive reads a table of values beyond its end: where = table of
                                  PM_TABLE_PIECEWISE; detail = argument, the end */
     PM_DRIVE_JUMPS = 18, /* a place that is prescribed jumps: where = joint; detail = by how much, m or rad */
+    PM_CURVE_ENDS = 19,  /* what runs along a curve comes to its end: where = joint; detail = t */
     PM_BAD_TABLE = -1,   /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */

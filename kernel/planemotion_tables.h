@@ -7,6 +7,7 @@
 #ifndef PLANEMOTION_TABLES_H
 #define PLANEMOTION_TABLES_H
 
+#include "planemotion_marks.h"
 #include "planemotion_programs.h"
 
 #define PM_GROUND (-1)
@@ -24,53 +25,26 @@ enum pm_table {
     PM_TABLE_LINE = 5,
     PM_TABLE_CIRCLE = 6,
     PM_TABLE_PATTERN = 7, /* patterns */
-    PM_TABLE_JOINT = 8,
-    PM_TABLE_CONTACT = 9,
-    PM_TABLE_FORCE = 10,
-    PM_TABLE_MEASURE = 11,
-    PM_TABLE_START = 12,
-    PM_TABLE_TRIGGER = 13,
-    PM_TABLE_EVENT = 14, /* pm_event_column: one row per named event */
-    PM_TABLE_UNTIL = 15,
-    PM_TABLE_ASK = 16,
-    PM_TABLE_SETTING = 17, /* one row: pm_setting_column */
-    PM_TABLE_FIND = 18,    /* one row where parameters are sought: pm_find_column; none otherwise */
-    PM_TABLE_VARY = 19,
-    PM_TABLE_CONDITION = 20,
-    PM_TABLE_SPIN = 21,   /* one row where the plane of the scene turns about an axis in it: pm_spin_column */
-    PM_TABLE_SECOND = 22, /* then one row per body: pm_second_column */
-    PM_TABLE_ACTION = 23, /* what events do */
-    PM_TABLE_PIECEWISE = 24, /* pm_piecewise_column: tables of measured values, as piecewise polynomials */
-    PM_TABLE_READING = 25,   /* pm_reading_column: where a table is read along the motion */
-    PM_TABLES = 26
-};
-
-/* ---- bodies and marks -------------------------------------------------------------------------------
- * A body's coordinates are (x, y, angle) of its mass centre G.  x, y, angle are the pose as drawn: the
- * assembly keeps what the start table fixes and moves the rest.  Points are given in body axes from G (of
- * the ground: scene coordinates). */
-enum pm_body_column {
-    PM_BODY_ROTATES = 0, /* 0: a particle, its angle stays 0 */
-    PM_BODY_MASS = 1,    /* value index, >= 0; 0 where constraints determine the motion all the same */
-    PM_BODY_INERTIA = 2, /* value index, centroidal, >= 0 if the body rotates */
-    PM_BODY_X = 3,       /* value indices of the pose of G as drawn */
-    PM_BODY_Y = 4,
-    PM_BODY_ANGLE = 5,
-    PM_BODY_COLUMNS = 6
-};
-enum pm_point_column { PM_POINT_BODY = 0, PM_POINT_X = 1, PM_POINT_Y = 2, PM_POINT_COLUMNS = 3 };
-/* A line through a point, at `angle` from the body's x axis; its free side is on its left. */
-enum pm_line_column { PM_LINE_POINT = 0, PM_LINE_ANGLE = 1, PM_LINE_COLUMNS = 2 };
-/* A circle round a point; radius value >= 0 (0: the point itself). */
-enum pm_circle_column { PM_CIRCLE_POINT = 0, PM_CIRCLE_RADIUS = 1, PM_CIRCLE_COLUMNS = 2 };
-/* Members point + k*(step_x, step_y) in the axes of the point's body, k = 0 .. count-1; count < 0: endless
- * both ways. */
-enum pm_pattern_column {
-    PM_PATTERN_POINT = 0,
-    PM_PATTERN_STEP_X = 1,
-    PM_PATTERN_STEP_Y = 2,
-    PM_PATTERN_COUNT = 3,
-    PM_PATTERN_COLUMNS = 4
+    PM_TABLE_CURVE = 8,
+    PM_TABLE_JOINT = 9,
+    PM_TABLE_CONTACT = 10,
+    PM_TABLE_FORCE = 11,
+    PM_TABLE_MEASURE = 12,
+    PM_TABLE_START = 13,
+    PM_TABLE_TRIGGER = 14,
+    PM_TABLE_EVENT = 15, /* pm_event_column: one row per named event */
+    PM_TABLE_UNTIL = 16,
+    PM_TABLE_ASK = 17,
+    PM_TABLE_SETTING = 18, /* one row: pm_setting_column */
+    PM_TABLE_FIND = 19,    /* one row where parameters are sought: pm_find_column; none otherwise */
+    PM_TABLE_VARY = 20,
+    PM_TABLE_CONDITION = 21,
+    PM_TABLE_SPIN = 22,   /* one row where the plane of the scene turns about an axis in it: pm_spin_column */
+    PM_TABLE_SECOND = 23, /* then one row per body: pm_second_column */
+    PM_TABLE_ACTION = 24, /* what events do */
+    PM_TABLE_PIECEWISE = 25, /* pm_piecewise_column: tables of measured values, as piecewise polynomials */
+    PM_TABLE_READING = 26,   /* pm_reading_column: where a table is read along the motion */
+    PM_TABLES = 27
 };
 
 /* ---- joints: held both ways; at the end of a line: how many constraints ---------- */
@@ -94,7 +68,8 @@ enum pm_joint_kind {
     PM_JOINT_PIN_ANGLE = 15, /* PIN, and ANGLE of its bodies.  3 */
     PM_JOINT_SLIDER_PLACE = 16,       /* SLIDER, and a is program_x along line b from its point.  2 */
     PM_JOINT_SLIDER_FIXED_PLACE = 17, /* SLIDER_FIXED, likewise.  3 */
-    PM_JOINT_KINDS = 18
+    PM_JOINT_SLOT = 18,               /* a point on curve b: a slot, a bead on a wire.                    1 */
+    PM_JOINT_KINDS = 19
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {
@@ -246,7 +221,8 @@ enum pm_measure_kind {
         47, /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0;
                of PM_EFFECT_PIECE: the piece in which its argument lies */
     PM_MEASURE_JOINT_POWER = 48, /* of what drives the joint: its reactions times the rates prescribed */
-    PM_MEASURE_KINDS = 49
+    PM_MEASURE_PLACE = 49,       /* s of a curve: in its programs alone */
+    PM_MEASURE_KINDS = 50
 };
 enum pm_part {
     PM_PART_NONE = 0,

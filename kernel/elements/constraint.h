@@ -17,7 +17,8 @@ struct pm_constraint {
     double axis[2];            /* cosine and sine of that direction; of a drive: its axis of the scene */
     double sign;               /* distance constraints: which way is positive */
     double ratio;              /* ratio constraints: angle(a) - ratio angle(b) */
-    int memory;                /* index of its memory, or PM_NONE */
+    int memory;                /* index of the memory of its anchor, or PM_NONE */
+    int curve, foot;           /* of constraints on curves: which, and the memory of its foot; or PM_NONE */
     int joint, slot;           /* owner: one of both is PM_NONE */
     int normal; /* sliding constraints and friction: index of the active constraint of its normal, else PM_NONE */
     double slide;   /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
@@ -41,7 +42,9 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_STRAND = 7,
     PM_CONSTRAINT_DRIVE = 8,
     PM_CONSTRAINT_RATIO = 9,
-    PM_CONSTRAINT_KINDS = 10
+    PM_CONSTRAINT_CURVE_NORMAL = 10,
+    PM_CONSTRAINT_CURVE_TANGENT = 11,
+    PM_CONSTRAINT_KINDS = 12
 };
 
 /* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
@@ -64,7 +67,7 @@ typedef struct pm_constraint_bounds {
 } pm_constraint_bounds;
 
 /* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip constraints)
- * sets or refreshes the memory from the frame: anchor_too = 1 closes the constraint here.  `steady`: the Jacobian stays
+ * sets or refreshes the memory (of the anchor, else of the foot) from the frame: anchor_too = 1 closes the constraint here.  `steady`: the Jacobian stays
  * the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as evaluated at
  * the frame, with the accelerations a[nq + 3]. */
 typedef struct pm_constraint_ops {
@@ -78,7 +81,8 @@ typedef struct pm_constraint_ops {
 
 extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
-    pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio;
+    pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio, pm_constraint_curve_normal,
+    pm_constraint_curve_tangent;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 
@@ -161,6 +165,10 @@ void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *c, int a,
 void pm_constraint_marks_radii(pm_constraint *c, double radius_a, double radius_b, double side);
 /* Length l of a strand, m, and l l', m^2/s: it is least where that is zero. */
 double pm_constraint_strand_left(const pm_frame *frame, const pm_constraint *c, double *approach);
+/* A point and a curve. */
+void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int point, int curve);
+/* How far the foot of a constraint on a curve is from the nearer end, m (curve.h). */
+double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);

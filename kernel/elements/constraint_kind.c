@@ -16,6 +16,8 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_STRAND] = &pm_constraint_strand,
         [PM_CONSTRAINT_DRIVE] = &pm_constraint_drive,
         [PM_CONSTRAINT_RATIO] = &pm_constraint_ratio,
+        [PM_CONSTRAINT_CURVE_NORMAL] = &pm_constraint_curve_normal,
+        [PM_CONSTRAINT_CURVE_TANGENT] = &pm_constraint_curve_tangent,
     };
     return kinds[kind];
 }

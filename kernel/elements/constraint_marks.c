@@ -13,7 +13,7 @@ pm_constraint pm_constraint_marks_blank(int kind)
     memset(&c, 0, sizeof c);
     c.kind = kind;
     c.sign = c.ratio = 1;
-    c.memory = c.joint = c.slot = c.normal = c.drive = PM_NONE;
+    c.memory = c.curve = c.foot = c.joint = c.slot = c.normal = c.drive = PM_NONE;
     return c;
 }
 
@@ -62,6 +62,12 @@ void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *c, int a,
     pm_constraint_marks_points(frame, c, ea[PM_CIRCLE_POINT], eb[PM_CIRCLE_POINT]);
     pm_constraint_marks_radii(c, frame->numbers->value[ea[PM_CIRCLE_RADIUS]],
                               frame->numbers->value[eb[PM_CIRCLE_RADIUS]], side);
+}
+
+void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int point, int curve)
+{
+    pm_constraint_marks_points(frame, c, point, PM_CURVE_ROW(frame->model, curve)[PM_CURVE_POINT]);
+    c->curve = curve;
 }
 
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */

@@ -42,6 +42,11 @@ static void pin(const pm_frame *frame, const int32_t *e, pm_constraint *c)
     put_beside(&c[1], PM_CONSTRAINT_POINT_Y, &c[0]);
 }
 
+static void slot(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    put(frame, e, &c[0], PM_CONSTRAINT_CURVE_NORMAL, pm_constraint_marks_curve);
+}
+
 static void weld(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     pin(frame, e, c);
@@ -163,7 +168,13 @@ static void slider_fixed_place(const pm_frame *frame, const int32_t *e, pm_const
     prescribe(e, &c[2]);
 }
 
-enum { BODY = PM_TABLE_BODY, POINT = PM_TABLE_POINT, LINE = PM_TABLE_LINE, CIRCLE = PM_TABLE_CIRCLE };
+enum {
+    BODY = PM_TABLE_BODY,
+    POINT = PM_TABLE_POINT,
+    LINE = PM_TABLE_LINE,
+    CIRCLE = PM_TABLE_CIRCLE,
+    CURVE = PM_TABLE_CURVE
+};
 
 static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
     [PM_JOINT_PIN] = {POINT, POINT, .nconstraint = 2, .slip = PM_CONSTRAINT_RATIO,
@@ -202,6 +213,8 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
                                .slip = PM_CONSTRAINT_LINE_TANGENT, .compose = slider_place},
     [PM_JOINT_SLIDER_FIXED_PLACE] = {POINT, LINE, PM_NUMBER_ANY, .programs = 1, .nconstraint = 3,
                                      .slip = PM_CONSTRAINT_LINE_TANGENT, .compose = slider_fixed_place},
+    [PM_JOINT_SLOT] = {POINT, CURVE, .nconstraint = 1, .feet = 1, .slip = PM_CONSTRAINT_CURVE_TANGENT,
+                       .compose = slot},
 };
 
 const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }
@@ -235,6 +248,7 @@ static void compose(const pm_frame *frame, int joint, pm_constraint *c)
     ops->compose(frame, PM_JOINT_ROW(frame->model, joint), c);
     const int memory = frame->model->joint_memory[joint], first = ops->nconstraint - ops->memories;
     for (int k = first; k < ops->nconstraint; k++) c[k].memory = memory + k - first;
+    for (int k = 0; ops->feet && k < ops->nconstraint; k++) c[k].foot = memory + ops->memories;
 }
 
 void pm_joint_compose(const pm_frame *frame)

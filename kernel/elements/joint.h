@@ -26,6 +26,7 @@ typedef struct pm_joint_ops {
     int programs; /* 0, 1 or 2 of prescribed rates or places */
     int nconstraint;
     int memories; /* so many of its last constraints keep an anchor */
+    int feet;     /* 1: its constraints share the memory of a foot on a curve */
     int presses;  /* constraint 0 is a normal force */
     int slip;     /* the kind of constraint along which it slips where it has friction, or PM_NONE */
     int repeats;  /* enum pm_joint_repeats */

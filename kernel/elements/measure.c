@@ -74,6 +74,7 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_EVENT_COUNT] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_count},
     [PM_MEASURE_EVENT_TIME] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_time},
     [PM_MEASURE_EVENT_SIDE] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_side},
+    [PM_MEASURE_PLACE] = {NOTHING, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_place},
     [PM_MEASURE_POTENTIAL] = {NOTHING, PLACE, SAME, 2, OF_ALL, .scalar = pm_measured_potential},
     [PM_MEASURE_TOTAL] = {NOTHING, MOTION, LINEAR, 2, OF_ALL, .scalar = pm_measured_total},
     [PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, OF_ALL, .scalar = pm_measured_lost},

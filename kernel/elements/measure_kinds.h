@@ -35,7 +35,7 @@ pm_scalar pm_measured_force_couple, pm_measured_force_work, pm_measured_force_po
     pm_measured_force_stretch, pm_measured_force_rate, pm_measured_force_energy, pm_measured_event_count,
     pm_measured_event_time, pm_measured_event_side, pm_measured_potential, pm_measured_total,
     pm_measured_lost, pm_measured_time, pm_measured_spin_omega, pm_measured_spin_angle,
-    pm_measured_spin_momentum, pm_measured_spin_inertia;
+    pm_measured_spin_momentum, pm_measured_spin_inertia, pm_measured_place;
 pm_vector pm_measured_force_force;
 
 /* The least coefficient of friction with which it holds, with the sign of the friction; not a number where nothing presses. */

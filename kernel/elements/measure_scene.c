@@ -33,6 +33,13 @@ double pm_measured_event_count(const pm_measure_args *x) { return pm_trigger_cou
 double pm_measured_event_time(const pm_measure_args *x) { return pm_trigger_time(&x->w->firing, x->a); }
 double pm_measured_event_side(const pm_measure_args *x) { return x->w->firing.side[x->a]; }
 
+/* It has a value in programs of curves alone, which are not run on a state. */
+double pm_measured_place(const pm_measure_args *x)
+{
+    (void)x;
+    return NAN;
+}
+
 /* ---- the scene ---- */
 double pm_measured_time(const pm_measure_args *x) { return x->w->frame.t; }
 double pm_measured_potential(const pm_measure_args *x)

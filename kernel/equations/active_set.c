@@ -286,8 +286,9 @@ void pm_active_set_carry(pm_workspace *w, int slot, double ratio)
 
 static void remember(const pm_frame *frame, pm_state *s, const pm_constraint *c, int anchor_too)
 {
-    if (c->memory == PM_NONE || !pm_constraint_kind(c->kind)->remember) return;
-    pm_constraint_kind(c->kind)->remember(frame, c, &s->memory[c->memory], anchor_too);
+    const int at = c->memory != PM_NONE ? c->memory : c->foot;
+    if (at == PM_NONE || !pm_constraint_kind(c->kind)->remember) return;
+    pm_constraint_kind(c->kind)->remember(frame, c, &s->memory[at], anchor_too);
 }
 
 void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
@@ -306,9 +307,19 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
 void pm_active_set_anchor_joint(const pm_frame *frame, const pm_state *state, pm_state *s, int joint)
 {
     pm_constraint c[PM_JOINT_CONSTRAINTS];
-    if (pm_joint_of(frame->model, joint)->memories == 0) return;
+    if (frame->model->joint_memory[joint] == PM_NONE) return;
     const int n = pm_joint_constraints(frame, state, joint, c);
     for (int k = 0; k < n; k++) remember(frame, s, &c[k], 1);
+}
+
+void pm_active_set_find_feet(const pm_frame *frame, pm_state *s)
+{
+    for (int i = 0; i < frame->model->rows[PM_TABLE_JOINT]; i++) {
+        pm_constraint c[PM_JOINT_CONSTRAINTS];
+        if (!pm_joint_of(frame->model, i)->feet) continue;
+        pm_joint_constraints_of_any(frame, i, c);
+        remember(frame, s, &c[0], 1);
+    }
 }
 
 /* Measures the cords: as drawn, and what they are slack. */
@@ -346,5 +357,7 @@ static void follow_slack_cords(const pm_frame *frame, pm_state *s)
 void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s)
 {
     for (int i = 0; i < active->n; i++) remember(frame, s, &active->constraint[i], 0);
+    for (int i = 0; i < active->nredundant; i++) /* they have feet, too */
+        if (active->redundant[i].memory == PM_NONE) remember(frame, s, &active->redundant[i], 0);
     follow_slack_cords(frame, s);
 }

@@ -15,6 +15,8 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot);
 /* Anchors the constraints with memory of a joint at the frame. */
 void pm_active_set_anchor_joint(const pm_frame *frame, const pm_state *state, pm_state *s, int joint);
 /* Anchors all joints with memory at the frame and measures the cords (once, after the assembly). */
+/* Of joints on curves: their feet in s, wherever the points are at the frame. */
+void pm_active_set_find_feet(const pm_frame *frame, pm_state *s);
 void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm_state *s);
 /* After an accepted step: unwrapped directions follow. */
 void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s);

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "elements/curve.h"
 #include "elements/force.h"
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
@@ -119,6 +120,13 @@ static int check_rows(pm_workspace *w)
     return PM_OK;
 }
 
+static int check_curves(pm_workspace *w)
+{
+    int status = PM_OK;
+    for (int i = 0; !status && i < w->model->rows[PM_TABLE_CURVE]; i++) status = pm_curve_check(w, i);
+    return status;
+}
+
 /* 1, -1 or -2: which circle is inside the other. */
 static int check_side(const pm_numbers *numbers, pm_result *result, int table, int row, int column, int index)
 {
@@ -225,8 +233,9 @@ static int is_on_ground(const pm_model *m, int circle)
 }
 
 /* Extent of the marks on bodies and of the bodies as drawn; 1 m where there is none. */
-static void set_size(const pm_model *m, pm_numbers *numbers)
+static void set_size(const pm_frame *frame, pm_numbers *numbers)
 {
+    const pm_model *m = frame->model;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, size = 0;
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 2; k++) {
@@ -255,6 +264,7 @@ static void set_size(const pm_model *m, pm_numbers *numbers)
         }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) /* a small peg is not all that there is */
         if (is_on_ground(m, i)) size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++) size = fmax(size, 0.5 * pm_curve_extent(frame, i));
     numbers->size = size > 0 && isfinite(size) ? size : 1;
 }
 
@@ -312,11 +322,12 @@ int pm_case_begin(pm_workspace *w, const double *param)
     status = read_bodies(w);
     if (!status) status = pm_turning_plane_case(w);
     if (!status) status = check_rows(w);
+    if (!status) status = check_curves(w);
     if (!status) status = check_elements(w);
     if (status) return status;
     pm_joint_compose(&w->frame);
     pm_program_numbers(w);
-    set_size(w->model, &w->numbers);
+    set_size(&w->frame, &w->numbers);
     w->numbers.speed = 0;
     return set_stand_ins(w);
 }

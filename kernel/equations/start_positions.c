@@ -104,6 +104,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
     int table = PM_NONE, row = PM_NONE;
     pm_frame_look_state(&w->frame, &w->state);
     for (int sweep = 0; sweep < PM_ASSEMBLY_SWEEPS; sweep++) {
+        pm_active_set_find_feet(&w->frame, &w->state);
         report->opening = worst_opening(w, &table, &row);
         const int gains = report->opening < 0.5 * best;
         if (!(report->opening > PM_ASSEMBLED * w->numbers.size) || (report->opening <= allowed && !gains))

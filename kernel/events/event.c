@@ -18,6 +18,7 @@
 #include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "equations/shared_reading.h"
+#include "events/track.h"
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
 #include "numerics/tolerances.h"
@@ -39,7 +40,7 @@ int pm_event_create(pm_workspace *w)
     const pm_model *m = w->model;
     const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
               ncontact = m->rows[PM_TABLE_CONTACT];
-    const int most = ntrigger + ncontact + 5 * m->nslot + m->nfriction;
+    const int most = ntrigger + ncontact + 5 * m->nslot + m->nfriction + m->rows[PM_TABLE_JOINT];
     if (PM_ARENA_NEW(&w->memory, w->event)) return PM_NO_MEMORY;
     pm_event_set *e = w->event;
     e->most = most;
@@ -230,6 +231,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_END:
         return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
                             slot[f->index].member);
+    case FUNCTION_TRACK: return pm_track_left(&w->frame, f->index);
     case FUNCTION_STRAND: return strand_approach(&w->frame, f->index);
     case FUNCTION_JOINT_STICK:
         if (w->active.friction_constraint[f->index] < 0) return 1; /* something else holds it, too */
@@ -300,6 +302,10 @@ void pm_event_begin(pm_workspace *w)
     e->ntrigger = e->nfunction;
     add_contacts(w);
     add_joint_friction(w);
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
+        if (pm_track_ends(w, i))
+            add(&w->phase, w->event, FUNCTION_TRACK, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
+                w->numbers.size);
     e->first_step = 1;
     pm_gap_culling_begin(&w->event->culling, &w->frame);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);

@@ -22,7 +22,8 @@ enum pm_function_kind {
     FUNCTION_END,     /* of an edge that something touches */
     FUNCTION_STRAND, /* of a taut cord: where it is shortest, nothing may be left of it between its circles */
     FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
-    FUNCTION_JOINT_SLIP   /* its slip where it slides */
+    FUNCTION_JOINT_SLIP,  /* its slip where it slides */
+    FUNCTION_TRACK        /* of a joint on a curve that is open: how far its foot is from the nearer end */
 };
 
 /* What is known of the next zero of a function in the step that was sampled last. */

@@ -34,6 +34,10 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
         x.table = PM_TABLE_FORCE;
         x.row = m->friction_force[f->index];
         return x;
+    case FUNCTION_TRACK:
+        x.table = PM_TABLE_JOINT;
+        x.row = f->index;
+        return x;
     case FUNCTION_GAP:
     case FUNCTION_MEETING: x.row = f->index; return x;
     default: x.row = pm_contact_of_slot(m, f->index); return x;

@@ -3,6 +3,7 @@
 #define PM_PROGRAM_H
 
 #include "numerics/chebyshev_nodes.h"
+#include "numerics/taylor.h"
 #include "state/workspace.h"
 
 /* Program `index` with the numbers of the case at w->frame, which must be filled to model->programs.level[index].  Not a
@@ -43,6 +44,10 @@ void pm_program_numbers(pm_workspace *w);
 /* A program that reads no measure but the time, at the time t, and its first and second derivative by the time. */
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
                           double derivative[2]);
+
+/* A program that reads no measure but the place on a curve, with its derivatives at the place s. */
+pm_taylor pm_program_of_place(const pm_model *m, int index, const double *param, const double *value,
+                              double s);
 
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);

@@ -56,6 +56,19 @@
 #define PM_FRICTION_ROUNDING 1e-11 /* likewise: a change this small that shrinks no more is rounding; larger: slow convergence ends early */
 #define PM_SPIN_ACROSS 1e-12 /* of gravity: part across the axis that rounding makes of 90 degrees; larger: a lean axis passes */
 
+#define PM_CURVE_STEP 0.5 /* rad: turn of the tangent in one step of the search for a foot; larger: it may leave for another foot */
+#define PM_CURVE_WINDOW 1.5 /* rad: turn of the tangent to a foot from the one before, less than a loop has; larger: crossings are mistaken */
+#define PM_CURVE_STEPS 40 /* of such a search; more would only put off that it is given up */
+#define PM_CURVE_PART 0.1 /* of the parameter's range in one step, where the tangent tells nothing; larger: a foot may be passed */
+#define PM_CURVE_CENTRE 0.05 /* of the radius of curvature: so near its centre a foot is no longer well determined; larger: more steps */
+#define PM_CURVE_LAST 1e-5 /* rad: a step after which the foot is exact, since errors square; larger: normals less exact */
+#define PM_CURVE_FOUND 8 /* roundings of a place: a step that gains nothing; larger: feet less exact */
+#define PM_CURVE_SAMPLES 256 /* places at which a whole curve is looked at; fewer: feet on wavy curves are missed, cusps too */
+#define PM_CURVE_CUSP 1e-6 /* of the mean rate of a curve: a place at which it stops; larger: steep parameters are refused */
+#define PM_CURVE_LENGTH 1e-13 /* of a length along a curve; larger: rolling and sticking drift */
+#define PM_CURVE_HALVINGS 6 /* of a part of a curve whose length is not found at once; fewer: less exact where it is steep */
+#define PM_CURVE_CLOSES 1e-9 /* of its extent: a gap that rounding makes of none; larger: open curves pass as closed */
+
 /* ---- scene ---- */
 
 #define PM_SYMMETRY_SAME 1e-9 /* of a revolution, of a step of a pattern, of the way: the same; larger: segments that differ are repeated */

@@ -25,8 +25,8 @@ static void lay_out(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const pm_joint_ops *ops = pm_joint_of(m, i);
         m->joint_constraint[i] = m->njoint_constraint;
-        m->joint_memory[i] = ops->memories > 0 ? m->nmemory : PM_NONE;
-        m->nmemory += ops->memories;
+        m->joint_memory[i] = ops->memories + ops->feet > 0 ? m->nmemory : PM_NONE;
+        m->nmemory += ops->memories + ops->feet;
         m->njoint_constraint += ops->nconstraint;
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {

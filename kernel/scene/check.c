@@ -36,6 +36,8 @@ typedef struct pm_span {
 } pm_span;
 
 static const pm_span spans[] = {
+    {PM_TABLE_CURVE, PM_CURVE_CLOSED, 0, 1, 1},
+    {PM_TABLE_CURVE, PM_CURVE_SIDE, -1, 1, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_FRICTION, PM_FRICTION_SMOOTH, PM_FRICTION_ROUGH, PM_FRICTION_ROUGH},
     {PM_TABLE_CONTACT, PM_CONTACT_LAW, PM_LAW_NEWTON, PM_LAWS - 1, PM_LAWS},
     {PM_TABLE_CONTACT, PM_CONTACT_PAINLEVE, 0, PM_PAINLEVE_KINDS - 1, PM_PAINLEVE_KINDS},
@@ -128,6 +130,34 @@ static int needs_forces(const pm_model *m, int measure)
 static int is_no_time(const pm_model *m, int measure)
 {
     return PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND] != PM_MEASURE_TIME;
+}
+
+static int is_place(const pm_model *m, int measure)
+{
+    return PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND] == PM_MEASURE_PLACE;
+}
+
+static int is_no_place(const pm_model *m, int measure) { return !is_place(m, measure); }
+
+static int is_of_curve(const pm_model *m, int program)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++) {
+        const int32_t *e = PM_CURVE_ROW(m, i);
+        if (e[PM_CURVE_X] == program || e[PM_CURVE_Y] == program) return 1;
+    }
+    return 0;
+}
+
+/* Programs of curves read the place on them and no other measure; no other program does. */
+static int check_curves(const pm_model *m, pm_where *where)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++)
+        if (PM_CURVE_ROW(m, i)[PM_CURVE_SIDE] == 0) return pm_bad_table(where, PM_TABLE_CURVE, i, 0, 1);
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
+        const int measure = pm_program_reads(m, i, is_of_curve(m, i) ? is_no_place : is_place);
+        if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_PROGRAM, i, measure, PM_NONE);
+    }
+    return PM_OK;
 }
 
 /* A force's program may not use what must itself be computed from forces: accelerations, reactions, other programs'. */
@@ -308,6 +338,7 @@ int pm_check_tables(pm_model *m, pm_where *where)
     if (!status) status = pm_piecewise_check(m, where);
     if (!status) status = pm_program_validate(m, where);
     if (!status) status = check_forces(m, where); /* look into programs */
+    if (!status) status = check_curves(m, where);
     if (!status) status = check_drives(m, where);
     if (!status) status = check_spin(m, where);
     if (!status) status = check_impulses(m, where);

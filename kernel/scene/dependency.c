@@ -170,10 +170,10 @@ static const struct {
 } needs[] = {
     {PM_TABLE_POINT, mark_is_needed},      {PM_TABLE_LINE, mark_is_needed},
     {PM_TABLE_CIRCLE, mark_is_needed},     {PM_TABLE_PATTERN, mark_is_needed},
-    {PM_TABLE_JOINT, element_is_needed},   {PM_TABLE_CONTACT, element_is_needed},
-    {PM_TABLE_FORCE, element_is_needed},   {PM_TABLE_START, start_is_needed},
-    {PM_TABLE_ACTION, action_is_needed},   {PM_TABLE_TRIGGER, trigger_is_needed},
-    {PM_TABLE_READING, reading_is_needed},
+    {PM_TABLE_CURVE, mark_is_needed},      {PM_TABLE_JOINT, element_is_needed},
+    {PM_TABLE_CONTACT, element_is_needed}, {PM_TABLE_FORCE, element_is_needed},
+    {PM_TABLE_START, start_is_needed},     {PM_TABLE_ACTION, action_is_needed},
+    {PM_TABLE_TRIGGER, trigger_is_needed}, {PM_TABLE_READING, reading_is_needed},
 };
 
 static int add_needed(const pm_model *m, pm_dependency *x)

@@ -86,6 +86,7 @@ static inline const int32_t *pm_model_row(const pm_model *m, int table, int row,
 #define PM_LINE_ROW(m, i) pm_model_row(m, PM_TABLE_LINE, i, PM_LINE_COLUMNS)
 #define PM_CIRCLE_ROW(m, i) pm_model_row(m, PM_TABLE_CIRCLE, i, PM_CIRCLE_COLUMNS)
 #define PM_PATTERN_ROW(m, i) pm_model_row(m, PM_TABLE_PATTERN, i, PM_PATTERN_COLUMNS)
+#define PM_CURVE_ROW(m, i) pm_model_row(m, PM_TABLE_CURVE, i, PM_CURVE_COLUMNS)
 #define PM_JOINT_ROW(m, i) pm_model_row(m, PM_TABLE_JOINT, i, PM_JOINT_COLUMNS)
 #define PM_CONTACT_ROW(m, i) pm_model_row(m, PM_TABLE_CONTACT, i, PM_CONTACT_COLUMNS)
 #define PM_FORCE_ROW(m, i) pm_model_row(m, PM_TABLE_FORCE, i, PM_FORCE_COLUMNS)
@@ -116,8 +117,9 @@ static inline int pm_model_body_of(const pm_model *m, int of, int index)
     const int point = of == PM_TABLE_LINE      ? PM_LINE_ROW(m, index)[PM_LINE_POINT]
                       : of == PM_TABLE_CIRCLE  ? PM_CIRCLE_ROW(m, index)[PM_CIRCLE_POINT]
                       : of == PM_TABLE_PATTERN ? PM_PATTERN_ROW(m, index)[PM_PATTERN_POINT]
+                      : of == PM_TABLE_CURVE   ? PM_CURVE_ROW(m, index)[PM_CURVE_POINT]
                                                : index;
-    return of >= PM_TABLE_POINT && of <= PM_TABLE_PATTERN ? PM_POINT_ROW(m, point)[PM_POINT_BODY] : index;
+    return of >= PM_TABLE_POINT && of <= PM_TABLE_CURVE ? PM_POINT_ROW(m, point)[PM_POINT_BODY] : index;
 }
 
 /* Whether some event adds or removes a joint, contact or force. */

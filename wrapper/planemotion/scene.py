@@ -93,7 +93,7 @@ class Scene:
         return self._update("parameters", values)
 
     def ground(self, **marks: Any) -> Self:
-        """`points`, `lines`, `circles` and `rows` of the ground, each a dict by name."""
+        """`points`, `lines`, `circles`, `curves` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
             self._part("ground").setdefault(group, {}).update(plain(named))
         return self._changed()

@@ -86,6 +86,8 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
         sentence = f"{place}: what is prescribed is {found:.6g} at the start; " + (
             "a length must be greater than 0" if math.isfinite(bound) else "a finite number is wanted"
         )
+    elif status == layout.PM_BAD_VALUE and int(where[layout.PM_WHERE_TABLE]) == layout.PM_TABLE_CURVE:
+        sentence = _bad_curve(place, int(where[layout.PM_WHERE_MEMBER]), found, bound)
     elif status == layout.PM_BAD_VALUE:
         sentence = _bad_value(place, found, bound, _unit(flat, where))
     else:
@@ -199,6 +201,18 @@ def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
     return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
 
 
+def _bad_curve(place: str, column: int, found: float, bound: float) -> str:
+    match column:
+        case layout.PM_CURVE_X:
+            return f"{place}: at s = {found:.6g} its place or its direction is no number"
+        case layout.PM_CURVE_Y:
+            return f"{place}: at s = {found:.6g} it has a cusp; a curve is smooth: begin or end beside it"
+        case layout.PM_CURVE_CLOSED:
+            return f"{place}: it does not close: its ends are {found:.6g} m apart (allowed {bound:.2g} m)"
+        case _:
+            return f"{place}: s ends at {found:.6g} and begins at {bound:.6g}; it must end later"
+
+
 def _alternates(place: str, found: float, bound: float) -> str:
     if place.endswith("switches"):
         return (
@@ -260,6 +274,10 @@ _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_TABLE_ENDS: lambda place, found, bound: (
         f"{place}: it ends at {bound:.6g} and is read at {found:.6g} (SI); what was answered before "
         'stands; end the run before it, or give it an outside: "hold", "extend" or "repeat"'
+    ),
+    layout.PM_CURVE_ENDS: lambda place, found, bound: (
+        f"{place}: what runs along the curve has come to its end; what was answered before stands; end the "
+        "run before it, or make the curve longer"
     ),
     layout.PM_STEP_TOO_SMALL: lambda place, found, bound: (
         "the integrator cannot go on at solve.accuracy: the motion has no smooth continuation here (a "

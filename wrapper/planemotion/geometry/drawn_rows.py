@@ -1,4 +1,5 @@
-"""The drawn scene as rows of the kernel's tables: bodies, points, lines, circles and rows, each mark once.
+"""The drawn scene as rows of the kernel's tables: bodies, points, lines, circles, curves and rows, each mark
+once.
 
 Lengths, offsets and angles "as drawn" are composed from the expressions of drawing.py, so that a sweep of a
 parameter moves the drawing.
@@ -8,11 +9,13 @@ from __future__ import annotations
 
 from .. import _layout as layout
 from ..base.errors import Faults, SceneError
-from ..language.tree import Node
+from ..language.leaves import names, operands, with_operands
+from ..language.tree import ZERO, Node
 from ..model.tables import Body
+from .curves import PLACE, CurveMark
 from .drawing import GROUND, Drawing, PointRef
 from .marks import CircleMark, LineMark, Mass, Pair, RowMark, mass_of
-from .packing import Tables
+from .packing import Tables, empty_measure
 
 
 class DrawnRows:
@@ -25,6 +28,7 @@ class DrawnRows:
         self.drawing = drawing
         self.tables = tables
         self.masses: dict[str, Mass] = {}
+        self._curves: dict[str, int] = {}
         self._points: dict[tuple[int, Node, Node], int] = {}
         Faults().make(drawing.bodies, self._add_body)
         self._add_all_points()
@@ -79,6 +83,32 @@ class DrawnRows:
             layout.PM_PATTERN_COUNT: self.tables.value(mark.count, where),
         }
         return self.tables.add(layout.PM_TABLE_PATTERN, row, where)
+
+    def curve(self, owner: str, mark: CurveMark, where: str) -> int:
+        """A kernel curve of that mark, once for each."""
+        if where not in self._curves:
+            self._curves[where] = self._new_curve(owner, mark, where)
+        return self._curves[where]
+
+    def _new_curve(self, owner: str, mark: CurveMark, where: str) -> int:
+        place = self.tables.measure_leaf(empty_measure(layout.PM_MEASURE_PLACE), where)
+
+        def along(node: Node) -> Node:
+            """With numbers of the case for what does not change along the curve."""
+            if PLACE not in names(node):
+                return self.tables.leaf(node, where)
+            return place if node == PLACE else with_operands(node, [along(one) for one in operands(node)])
+
+        programs = (self.tables.program(along(part), where) for part in (mark.x, mark.y))
+        origin = self.drawing.from_mass_center(owner, (ZERO, ZERO))
+        row = {layout.PM_CURVE_POINT: self.point_at(owner, origin, where)}
+        row |= dict(zip((layout.PM_CURVE_X, layout.PM_CURVE_Y), programs, strict=True))
+        for column, key, bound in zip(
+            (layout.PM_CURVE_FROM, layout.PM_CURVE_TO), ("from", "to"), mark.bounds, strict=True
+        ):
+            row[column] = self.tables.value(bound, f"{where}.{key}")
+        row |= {layout.PM_CURVE_CLOSED: int(mark.closed), layout.PM_CURVE_SIDE: mark.side}
+        return self.tables.add(layout.PM_TABLE_CURVE, row, where)
 
     def _add_body(self, name: str, body: Body) -> None:
         path = f"bodies.{name}"

@@ -1,4 +1,4 @@
-"""What a body or the ground is in its own axes: mass, inertia, points, lines and circles, as expressions.
+"""What a body or the ground is in its own axes: mass, inertia, points, lines, circles, curves; expressions.
 
 A body's own axes have their origin at its geometric centre; a rod's x axis runs from its first end to its
 second.  The ground's own axes are the scene's.
@@ -16,9 +16,8 @@ from ..language.tree import ZERO, Node, Number, atan2, norm
 from ..model import words
 from ..model.readers import Offset, Value, Vector
 from ..model.tables import Body, Circle, Ground, Line, Row
+from .curves import CurveMark, Pair, curve_mark
 from .parameters import Reader
-
-Pair = tuple[Node, Node]
 
 # Centroidal moment of inertia over mass*size^2: a rod by its length, the others by their radius.
 _SHAPE_INERTIA = {
@@ -74,6 +73,7 @@ class Marks:
     lines: dict[str, LineMark] = field(default_factory=dict)
     circles: dict[str, CircleMark] = field(default_factory=dict)
     rows: dict[str, RowMark] = field(default_factory=dict)
+    curves: dict[str, CurveMark] = field(default_factory=dict)
     sets: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
     def point(self, name: str) -> Pair:
@@ -109,6 +109,8 @@ def ground_marks(reader: Reader, ground: Ground) -> Marks:
         marks.circles[name] = _circle(reader, circle, f"ground.circles.{name}")
     for name, row in ground.rows.items():
         marks.rows[name] = _row(reader, row, f"ground.rows.{name}")
+    for name, curve in ground.curves.items():
+        marks.curves[name] = curve_mark(reader, curve, f"ground.curves.{name}")
     return marks
 
 
@@ -127,7 +129,7 @@ def body_marks(reader: Reader, name: str, body: Body, length: Node | None) -> Ma
         _add_edge(marks, radius(reader, name, body))
     elif body.shape in words.ROUND_SHAPES:
         marks.circles["rim"] = CircleMark((ZERO, ZERO), radius(reader, name, body))
-    if not body.rotates and (body.points or body.lines or body.circles):
+    if not body.rotates and (body.points or body.lines or body.circles or body.curves):
         raise SceneError(
             "a particle has no marks; give the body a shape, an inertia or a gyration", path=path
         )
@@ -136,6 +138,8 @@ def body_marks(reader: Reader, name: str, body: Body, length: Node | None) -> Ma
         marks.lines[key] = _line(reader, line, f"{path}.lines.{key}")
     for key, circle in body.circles.items():
         marks.circles[key] = _circle(reader, circle, f"{path}.circles.{key}")
+    for key, curve in body.curves.items():
+        marks.curves[key] = curve_mark(reader, curve, f"{path}.curves.{key}")
     return marks
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ..base.errors import SceneError
 from ..language.tree import ZERO, Node, binary, call, select
+from .curves import CurveMark
 from .drawing import GROUND, Drawing, PointRef
 from .drawn_rows import DrawnRows
 from .marks import CircleMark, LineMark, Pair, RowMark, distance
@@ -14,22 +15,29 @@ from .marks import CircleMark, LineMark, Pair, RowMark, distance
 # Part of the radius from which on a point counts as drawn on a circle.
 _ON_CIRCLE = 1 - 1e-6
 # What may stand for what: the groups of marks of an owner, in the order in which they are searched.
-_GROUPS = {"point": "points", "line": "lines", "circle": "circles", "row": "rows", "set": "sets"}
+_GROUPS = {
+    "point": "points",
+    "line": "lines",
+    "circle": "circles",
+    "curve": "curves",
+    "row": "rows",
+    "set": "sets",
+}
 
 
 @dataclass(frozen=True)
 class Partner:
-    """A mark of a body or of the ground; `kind` is point, line, circle, row or set.
+    """A mark of a body or of the ground; `kind` is point, line, circle, curve, row or set.
 
-    `mark` is a LineMark, CircleMark, RowMark or (set) a tuple of point names; None for points, whose `name`
-    says it.  A bare "ground" is the point with the name "".
+    `mark` is a LineMark, CircleMark, CurveMark, RowMark or (set) a tuple of point names; None for points,
+    whose `name` says it.  A bare "ground" is the point with the name "".
     """
 
     owner: str
     kind: str
     name: str
     where: str
-    mark: LineMark | CircleMark | RowMark | tuple[str, ...] | None = None
+    mark: LineMark | CircleMark | CurveMark | RowMark | tuple[str, ...] | None = None
 
     @property
     def ref(self) -> PointRef:
@@ -38,6 +46,12 @@ class Partner:
     @property
     def is_ground(self) -> bool:
         return self.owner == GROUND
+
+    @property
+    def mark_path(self) -> str:
+        """The key path of the mark itself."""
+        owner = self.owner if self.is_ground else f"bodies.{self.owner}"
+        return f"{owner}.{_GROUPS[self.kind]}.{self.name}"
 
     @property
     def anywhere(self) -> bool:

@@ -74,6 +74,28 @@ class Row(Table):
     count: Number | None = None
 
 
+# Curves that have a name, each with its sizes.
+CURVES = ("ellipse", "arc", "parabola", "cycloid", "involute")
+
+
+class Curve(Table):
+    """A smooth curve: expressions x and y of s, or one that has a name."""
+
+    x: Number | None = None
+    y: Number | None = None
+    ellipse: Pair | None = None
+    arc: Number | None = None
+    parabola: Number | None = None
+    cycloid: Number | None = None
+    involute: Number | None = None
+    start: Number | None = Field(None, alias="from")
+    to: Number | None = None
+    closed: bool = False
+    side: Literal["left", "right"] = "left"
+    at: Pair = Vector(0, 0)
+    angle: Number = 0
+
+
 Points = dict[str, Annotated[Vector | Offset, BeforeValidator(read_point)]]
 Circles = dict[str, Annotated[Circle, BeforeValidator(read_circle)]]
 
@@ -83,6 +105,7 @@ class Ground(Table):
     lines: dict[str, Line] = {}
     circles: Circles = {}
     rows: dict[str, Row] = {}
+    curves: dict[str, Curve] = {}
 
 
 class Driven(Table):
@@ -121,6 +144,7 @@ class Body(Table):
     points: Points = {}
     lines: dict[str, Line] = {}
     circles: Circles = {}
+    curves: dict[str, Curve] = {}
     at: Annotated[Place, BeforeValidator(read_place)] | None = None
     angle: Number | None = None
     driven: Driven | None = None

@@ -13,13 +13,15 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from ..geometry.curves import CurveMark
 from ..geometry.drawing import GROUND, Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
 from ..geometry.motion import reads_motion
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
-from ..language.tree import Node
+from ..language.parser import parse
+from ..language.tree import Node, Number
 from ..language.units import factor
 from ..model.readers import Value, Vector
 from .page import INK, RESOLUTION
@@ -27,6 +29,8 @@ from .symbols import Pen, Place
 
 # Greatest size of the drawing, and the room left around what is drawn, in inches.
 _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
+# Places of a curve that are joined by straight lines.
+_OF_CURVE = 240
 # A scene of no size (one particle) is drawn as if it were so large, in m.
 _NO_SIZE = 1.0
 
@@ -86,6 +90,19 @@ class Sketch:
     def point(self, owner: str, name: str) -> Place:
         return self.place(owner, self.drawing.marks(owner).points[name])
 
+    def curve(self, owner: str, mark: CurveMark) -> np.ndarray:
+        """Places [n, 2] of a curve, in the order of s."""
+        first, last = (self.number(bound) for bound in mark.bounds)
+        values = np.linspace(first, last, _OF_CURVE + 1)
+        return np.array([self.place(owner, mark.at(Number(float(s)))) for s in values])
+
+    def along_curve(self, owner: str, mark: CurveMark, at: Place) -> tuple[Place, float]:
+        """The place of a curve next to a place, and its direction there."""
+        places = self.curve(owner, mark)
+        k = int(np.argmin(np.hypot(*(places - np.asarray(at)).T)))
+        step = places[min(k + 1, _OF_CURVE)] - places[max(k - 1, 0)]
+        return (float(places[k, 0]), float(places[k, 1])), math.atan2(step[1], step[0])
+
     def of_partner(self, one: Partner, other: Partner) -> Place:
         """The place of a partner that is a point or a circle (its centre)."""
         if one.anywhere:
@@ -142,6 +159,8 @@ class Sketch:
         for circle in marks.circles.values():
             (x, y), radius = self.place(owner, circle.center), self.length(circle.radius)
             places += [(x - radius, y - radius), (x + radius, y + radius)]
+        for curve in marks.curves.values():
+            places += [(float(x), float(y)) for x, y in self.curve(owner, curve)]
         body = None if owner == GROUND else self.drawing.bodies[owner]
         places += self.corners(owner, body.plate) if body and body.plate is not None else []
         places += self.diameter(owner) if body and body.edge_on else []
@@ -214,6 +233,11 @@ class Sketch:
         reaches += [
             math.dist(center, self.own_place(owner, circle.center)) + self.length(circle.radius)
             for circle in marks.circles.values()
+        ]
+        middle = self.point(owner, "center")
+        reaches += [
+            float(np.hypot(*(self.curve(owner, curve) - np.asarray(middle)).T).max())
+            for curve in marks.curves.values()
         ]
         return max([*reaches, 0.3 * self.pen.inch])
 

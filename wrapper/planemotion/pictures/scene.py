@@ -197,6 +197,10 @@ class SceneDrawing:
             self.sketch.pen.name(
                 (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)), name, SOFT
             )
+        for name, curve in marks.curves.items():
+            places = self.sketch.curve(GROUND, curve)
+            self.sketch.pen.line(places, INK, 1.2, zorder=1.5)
+            self.sketch.pen.name((float(places[0, 0]), float(places[0, 1])), name, SOFT)
         for name, row in marks.rows.items():
             self._row(name, row)
 
@@ -222,6 +226,12 @@ class SceneDrawing:
             pen.circle(at, radius, fill="none" if body.shape else BODY_FILL, linewidth=0.9)
             if not body.shape:
                 self._radius_line(name, at, radius)
+        for key in body.curves:
+            places = self.sketch.curve(name, marks.curves[key])
+            if marks.curves[key].closed and not body.shape:
+                pen.polygon(places, linewidth=0.9)
+            else:
+                pen.line(places, BLUE, 0.9, zorder=2.6)
         for key in body.lines:
             pen.line(self.sketch.ends(name, marks.lines[key]), BLUE, 0.8, linestyle=_CENTRE_LINE, zorder=3)
         mass_centre = self.sketch.point(name, "G")

@@ -20,6 +20,7 @@ from ..model.tables import (
     At,
     Body,
     Circle,
+    Curve,
     Design,
     Driven,
     Event,
@@ -164,7 +165,7 @@ def _unknown_key(
 
 def _marks(owner: Mapping[str, Any], path: str) -> None:
     quantities = (*words.BODY_QUANTITIES, *words.POINT_QUANTITIES, words.DRIVEN)
-    for group in ("points", "lines", "circles", "rows"):
+    for group in ("points", "lines", "circles", "rows", "curves"):
         for name, mark in words.mapping(owner.get(group, {}), f"{path}.{group}").items():
             place = f"{path}.{group}.{name}"
             words.check_name(name, f"{path}.{group}")
@@ -181,6 +182,8 @@ def _marks(owner: Mapping[str, Any], path: str) -> None:
                     _keys(mark, Circle.file_keys(), place, "a circle")
                 case "rows":
                     _keys(mark, Row.file_keys(), place, "a row")
+                case "curves":
+                    _keys(mark, Curve.file_keys(), place, "a curve")
 
 
 def _ground(ground: Mapping[str, Any]) -> None:

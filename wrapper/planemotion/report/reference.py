@@ -21,7 +21,7 @@ from .meaning import Meaning, meaning_of, meanings
 _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
     "A scene": (SceneData,),
     "Bodies and marks": (
-        *(tables.Body, tables.Ground, tables.Line, tables.Circle, tables.Row),
+        *(tables.Body, tables.Ground, tables.Line, tables.Circle, tables.Row, tables.Curve),
         *(tables.Driven, tables.Spin, Tabulated),
     ),
     "Events and questions": (tables.Event, tables.Action, tables.Ask, tables.At),

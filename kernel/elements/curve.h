@@ -1,0 +1,38 @@
+/* curve.h - curves as marks: places on them with tangent and curvature, and the foot of a point. */
+#ifndef PM_CURVE_H
+#define PM_CURVE_H
+
+#include "state/workspace.h"
+
+/* A place of a curve, in the axes of its body from its point.  t runs along the curve, so that the free side is on its left:
+ * n = k x t points there.  Lengths along the curve count with t. */
+typedef struct pm_curve_place {
+    double s; /* of the curve; of a closed one it counts on past its ends */
+    double p[2], t[2], n[2];
+    double rate;     /* of the length along the curve by s: negative where the free side is on the right */
+    double quickens; /* its own rate, by s */
+    double bend;     /* curvature, 1/m: dt = bend n along the curve; positive where the free side is hollow */
+    double bend_rate; /* the same along the curve, 1/m^2 */
+} pm_curve_place;
+
+/* The place s; beyond the ends of an open curve by its series there, with the derivatives it ends with. */
+pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s);
+
+/* The foot of a point x (in the axes of the curve): where x - p is along n, at the height n.(x - p).  It is the one that
+ * a point has which comes from the foot s: the search goes from there, and gives it up (a place that is no number) where the tangent
+ * turns by more than PM_CURVE_WINDOW. */
+pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2], double s, double *height);
+/* The foot that is nearest to x of all. */
+pm_curve_place pm_curve_nearest(const pm_frame *frame, int curve, const double x[2], double *height);
+
+/* The length along the curve from one place to another, with the sign of t. */
+double pm_curve_way(const pm_frame *frame, int curve, double from, double to);
+
+/* How far a place is from the nearer end along the curve, m; INFINITY of a closed curve, negative beyond an end. */
+double pm_curve_room(const pm_frame *frame, int curve, const pm_curve_place *x);
+/* Greatest distance of two of its places, about, m. */
+double pm_curve_extent(const pm_frame *frame, int curve);
+/* case.c: whether the numbers of the case make a curve of it: PM_OK, or PM_BAD_VALUE with where and detail. */
+int pm_curve_check(pm_workspace *w, int curve);
+
+#endif

@@ -1,0 +1,14 @@
+/* track.h - what runs along an open curve comes to an end of it. */
+#ifndef PM_TRACK_H
+#define PM_TRACK_H
+
+#include "state/workspace.h"
+
+/* The joint is there and on a curve that ends. */
+int pm_track_ends(const pm_workspace *w, int joint);
+/* How far its foot is from the nearer end, m. */
+double pm_track_left(const pm_frame *frame, int joint);
+/* PM_CURVE_ENDS, where = joint: at this instant what runs along a curve comes to its end. */
+int pm_event_check_tracks(pm_workspace *w);
+
+#endif
