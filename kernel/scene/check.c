@@ -148,7 +148,14 @@ static int is_of_curve(const pm_model *m, int program)
     return 0;
 }
 
-/* Programs of curves read the place on them and no other measure; no other program does. */
+static int reads_table(const pm_model *m, int program)
+{
+    for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x);)
+        if (pm_operation_of_table(x.op)) return 1;
+    return 0;
+}
+
+/* Programs of curves read the place on them, no other measure and no table; no other program does. */
 static int check_curves(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++)
@@ -156,6 +163,8 @@ static int check_curves(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
         const int measure = pm_program_reads(m, i, is_of_curve(m, i) ? is_no_place : is_place);
         if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_PROGRAM, i, measure, PM_NONE);
+        if (is_of_curve(m, i) && reads_table(m, i))
+            return pm_bad_table(where, PM_TABLE_PROGRAM, i, PM_NONE, PM_NONE);
     }
     return PM_OK;
 }

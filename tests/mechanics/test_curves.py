@@ -155,6 +155,7 @@ def test_the_end_of_a_curve_ends_the_run(route: str) -> None:
         ('{ cycloid = "1 m", from = 0, to = 3 }', "at s = 0 it has a cusp"),
         ('{ x = "(1 m)*s", y = "(1 m)*s^2", from = 0, to = 1, closed = true }', "does not close"),
         ('{ x = "(1 m)*s", y = "(1 m)*abs(s)", from = -1, to = 1 }', "abs has a corner"),
+        ('{ x = "(1 m)*s", y = "h(s)", from = 0, to = 1 }', "the table h has a corner"),
         ('{ x = "(1 m)*s", from = 0, to = 1 }', "a curve is"),
         ('{ arc = "1 m" }', "where s begins and ends"),
         ('{ parabola = "1 m", from = "1 m", to = "-1 m" }', "it must end later"),
@@ -163,6 +164,7 @@ def test_the_end_of_a_curve_ends_the_run(route: str) -> None:
 def test_what_is_no_curve_is_told(curve: str, says: str) -> None:
     text = f"""
         until = "t = 1 s"
+        tables.h = {{ at = [0, 1], value = [0, "1 m"] }}
         ground.curves.wire = {curve}
         bodies.bead = {{ mass = "1 kg", at = [0, 0] }}
         joints.slot = {{ slot = ["bead", "ground.wire"] }}

@@ -12,6 +12,7 @@ from ..base.errors import SceneError
 from ..language.dimensions import DIMENSIONLESS, LENGTH, Dimension
 from ..language.homogeneity import dimension
 from ..language.leaves import Leaf, names, operands, substitute
+from ..language.lookup import Lookup
 from ..language.parser import parse
 from ..language.tree import ZERO, Binary, Call, Name, Node, Number, Unary, cos, sin
 from ..model.readers import Value
@@ -102,6 +103,8 @@ def _corner(node: Node) -> str:
     reads = _WRITTEN in names(node)
     if reads and isinstance(node, Call) and node.function in _CORNERS:
         return node.function
+    if reads and isinstance(node, Lookup):
+        return f"the table {node.table.name}"
     if reads and isinstance(node, Binary) and node.operator in _COMPARISONS:
         return f'"{node.operator}"'
     if reads and isinstance(node, Unary) and node.operator == "not":
