@@ -20,7 +20,6 @@ from ..geometry.motion import reads_motion
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
-from ..language.parser import parse
 from ..language.tree import Node, Number
 from ..language.units import factor
 from ..model.readers import Value, Vector
