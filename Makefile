@@ -55,7 +55,7 @@ test-python: setup
 
 test-browser:
 	@.ci/setup --browser
-	PLANEMOTION_BROWSER=required $(BIN)/python -m pytest tests/animation/test_browser.py tests/report/test_browser.py
+	PLANEMOTION_BROWSER=required $(BIN)/python -m pytest tests/animation/test_browser.py tests/report/test_browser.py tests/animation/test_widget.py
 
 lint: setup
 	$(BIN)/ruff check .

@@ -160,6 +160,25 @@ def test_scenes_of_the_chapter_have_the_same_signs_at_all_instants(number: str) 
     assert len(seen) == 1
 
 
+def test_the_widget_has_the_motion_and_the_player_of_the_page() -> None:
+    shown = planemotion.load_text(BALL).animate()
+    made, page = shown.widget(), shown.html()
+    motion = json.loads(page.split('id="pm-motion">')[1].split("</script>")[0])
+    assert json.loads(json.dumps(made.motion)) == motion
+    assert (made.time, made.playing) == (0.0, False)
+    for part in ("class Motion", "class Stage", "class Player"):
+        assert page.count(part) == made._esm.count(part) == 1
+    assert made._css in page
+    assert {"motion", "time", "playing", "speed"} <= set(made.keys)
+    assert repr(made).startswith("Player of ")
+
+
+def test_without_anywidget_it_is_told_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(needs, "find_spec", lambda name: None)
+    with pytest.raises(StudyError, match=r'needs anywidget: pip install "planemotion\[notebook\]"; without'):
+        planemotion.load_text(BALL).animate().widget()
+
+
 # ---- files ----
 
 

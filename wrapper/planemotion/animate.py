@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from .animation import moving
 from .animation.needs import require
@@ -30,6 +31,19 @@ class Animation:
     def html(self) -> str:
         """One page with everything in it: the player, the signs, the motion."""
         return page(moving.document(self.motion))
+
+    def widget(self) -> Any:
+        """The same player as a widget, for live notebooks: Python reads and sets what it shows.
+
+            player = scene.animate().widget()
+            player.time = 0.25
+
+        `time` (s), `playing` and `speed` are traits, which can be observed and linked with those of other
+        widgets.  Raises StudyError if anywidget is not installed (the extra `notebook`).
+        """
+        from .animation.widget import widget
+
+        return widget(moving.document(self.motion))
 
     def save(self, out: str | os.PathLike[str]) -> Path:
         """Writes the animation in the format that the ending says; it appears whole or not at all.

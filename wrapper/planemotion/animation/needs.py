@@ -1,4 +1,4 @@
-"""What an animation in some format needs beside the package itself."""
+"""What an animation in some form needs beside the package itself."""
 
 from __future__ import annotations
 
@@ -6,14 +6,20 @@ from importlib.util import find_spec
 
 from ..base.errors import StudyError
 
-# Format -> module, what it is called where it is installed from, and the extra that brings it.
-_NEEDED = {"mp4": ("imageio_ffmpeg", "imageio-ffmpeg"), "gif": ("PIL", "pillow")}
+# Form -> module, its name where it is installed from, the extra that brings it, what there is without.
+_NEEDED = {
+    "mp4": ("imageio_ffmpeg", "imageio-ffmpeg", "video", ".html needs nothing"),
+    "gif": ("PIL", "pillow", "video", ".html needs nothing"),
+    "widget": ("anywidget", "anywidget", "notebook", "without it a notebook shows the player in a frame"),
+}
+_FORMS = {"widget": "the player as a widget of a notebook"}
 
 
-def require(kind: str) -> None:
-    """Raises StudyError, which says what to install, if a format cannot be written here."""
-    module, name = _NEEDED.get(kind, ("", ""))
-    if module and find_spec(module) is None:
-        raise StudyError(
-            f'an animation as .{kind} needs {name}: pip install "planemotion[video]"; .html needs nothing'
-        )
+def require(form: str) -> None:
+    """Raises StudyError, which says what to install, if a form cannot be had here."""
+    if form not in _NEEDED:
+        return
+    module, name, extra, without = _NEEDED[form]
+    if find_spec(module) is None:
+        what = _FORMS.get(form, f"an animation as .{form}")
+        raise StudyError(f'{what} needs {name}: pip install "planemotion[{extra}]"; {without}')

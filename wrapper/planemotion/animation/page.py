@@ -1,4 +1,4 @@
-"""The page that plays a motion: one file without anything outside of it."""
+"""The player around a motion: a page of one file that needs nothing else, or a module for notebooks."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from importlib.resources import files
 from string import Template
 from typing import Any
 
-# The player, in the order in which a browser reads it.
-_SCRIPTS = ("player.js", "player_controls.js")
+# The player, in the order in which a browser reads it; what opens it comes behind.
+_PLAYER = ("player.js", "player_controls.js")
 
 
 def page(document: Mapping[str, Any]) -> str:
@@ -18,10 +18,24 @@ def page(document: Mapping[str, Any]) -> str:
     motion = json.dumps(document, separators=(",", ":"), allow_nan=False, ensure_ascii=False)
     return Template(_resource("player.html")).substitute(
         title=html.escape(str(document["title"])),
-        style=_resource("player.css"),
+        style=style(),
         motion=motion.replace("</", "<\\/"),  # nothing in it ends the element
-        script="\n".join(map(_resource, _SCRIPTS)),
+        script=_script("player_page.js"),
     )
+
+
+def module() -> str:
+    """The player as an ECMAScript module whose default export has `render`, as anywidget wants it."""
+    return _script("player_widget.js")
+
+
+def style() -> str:
+    """The look of the player."""
+    return _resource("player.css")
+
+
+def _script(opener: str) -> str:
+    return "\n".join(map(_resource, (*_PLAYER, opener)))
 
 
 def _resource(name: str) -> str:

@@ -22,7 +22,12 @@ function made(tag, attributes = {}, ...children) {
 }
 
 class Player {
-  constructor(root, told) {
+  /* In the element `root`.  `themed` has the colours, `ears` hears the keys, `changed` is called when something was drawn. */
+  constructor(root, told, { themed = root, ears = root, changed = () => {} } = {}) {
+    this.themed = themed;
+    this.ears = ears;
+    this.changed = changed;
+    this.closing = new AbortController();
     this.motion = new Motion(told);
     this.time = 0;
     this.row = 0; // which side of a jump is shown; undefined between rows
@@ -33,8 +38,15 @@ class Player {
     this.build(root);
     this.stage = new Stage(this.canvas, this.motion);
     this.listen();
-    this.colour();
+    this.themed.dataset.theme = darkAround() ? "dark" : "light";
     this.resize();
+  }
+
+  /* Nothing is heard or drawn any more. */
+  close() {
+    this.playing = false;
+    this.closing.abort();
+    this.watch.disconnect();
   }
 
   build(root) {
@@ -131,22 +143,23 @@ class Player {
     this.draw();
   }
 
-  theme() {
-    const root = document.documentElement;
-    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
+  theme(chosen) {
+    this.themed.dataset.theme = chosen || (this.themed.dataset.theme === "dark" ? "light" : "dark");
     this.colour();
     this.draw();
   }
 
   /* ---- what is seen ---- */
   colour() {
-    const style = getComputedStyle(document.documentElement);
+    const style = getComputedStyle(this.themed);
     const roles = ["page", "paper", "panel", "edge", "grid", "ink", "soft", "body", "fill", "force", "spring", "touch",
       "velocity", "impulse", "trace", "kinetic", "potential", "total", "accent"];
     this.colours = Object.fromEntries(roles.map((role) => [role, style.getPropertyValue(`--${role}`).trim()]));
   }
 
   resize() {
+    if (!this.canvas.clientWidth) return; // it is on no page yet, and has no colours
+    this.colour();
     this.stage.resize();
     fit(this.axis, this.axis.clientWidth, 54);
     if (this.plot.isConnected) fit(this.plot, this.plot.clientWidth, 150);
@@ -163,6 +176,7 @@ class Player {
   }
 
   draw() {
+    if (!this.stage.ink) return;
     const look = this.motion.look(this.time, this.row), blow = this.blow();
     this.stage.follow(look, this.shows.follow);
     this.stage.draw(look, this.shows, this.colours, blow);
@@ -174,6 +188,7 @@ class Player {
     this.choice.value = this.speed;
     this.toggles.forEach((button) => button.setAttribute("aria-pressed", this.shows[button.dataset.shows]));
     this.axis.setAttribute("aria-valuenow", this.time.toPrecision(4));
+    this.changed();
   }
 
   /* The pixel of a time on a canvas that has so much room at both sides. */
@@ -261,6 +276,7 @@ class Player {
 
   /* ---- what is done with it ---- */
   listen() {
+    const hear = (where, kind, heard) => where.addEventListener(kind, heard, { signal: this.closing.signal });
     const scrub = (event) => {
       const box = this.axis.getBoundingClientRect();
       this.seek(((event.clientX - box.left - 14) / (box.width - 28)) * this.motion.end);
@@ -272,8 +288,10 @@ class Player {
     this.canvas.addEventListener("pointermove", (event) => this.drag(event));
     this.canvas.addEventListener("click", (event) => this.click(event));
     this.canvas.addEventListener("dblclick", () => { this.shows.follow = false; this.stage.reset(); this.draw(); });
-    window.addEventListener("resize", () => this.resize());
-    window.addEventListener("keydown", (event) => this.key(event));
+    hear(window, "resize", () => this.resize());
+    hear(this.ears, "keydown", (event) => this.key(event));
+    this.watch = new ResizeObserver(() => { if (this.canvas.clientWidth !== (this.stage.size || [0])[0]) this.resize(); });
+    this.watch.observe(this.canvas);
   }
 
   zoom(event) {
@@ -310,6 +328,7 @@ class Player {
     const action = actions[event.key];
     if (!action || (event.key === " " && event.target.tagName === "BUTTON")) return;
     event.preventDefault();
+    event.stopPropagation();
     action();
   }
 }
@@ -320,11 +339,9 @@ function line(ink, places) {
   ink.stroke();
 }
 
-function open() {
-  const dark = window.matchMedia && window.matchMedia("(prefers-color-scheme: dark)").matches;
-  document.documentElement.dataset.theme = dark ? "dark" : "light";
-  const root = document.querySelector(".pm");
-  root.player = new Player(root, JSON.parse(document.getElementById("pm-motion").textContent));
+/* A notebook says whether it is dark; a page of its own is as the system is. */
+function darkAround() {
+  const light = document.body.dataset.jpThemeLight;
+  if (light !== undefined) return light === "false";
+  return Boolean(window.matchMedia && window.matchMedia("(prefers-color-scheme: dark)").matches);
 }
-
-if (typeof document !== "undefined") open();

@@ -58,7 +58,7 @@ function showCase() {
   if (!one.motion) return;
   frame.onload = () => {
     const inside = frame.contentDocument.documentElement;
-    inside.dataset.theme = document.documentElement.dataset.theme;
+    frame.contentDocument.querySelector("main").player.theme(document.documentElement.dataset.theme);
     frame.style.height = `${inside.querySelector("main").scrollHeight + 4}px`;
   };
   frame.srcdoc = playerOf(one.motion);
