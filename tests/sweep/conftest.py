@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from planemotion.sweep import cases
 from tests.sweep.fake import FakeEngine, stand_ins
 from tests.sweep.processes import child, wait_for_parts
 
@@ -15,8 +14,8 @@ from tests.sweep.processes import child, wait_for_parts
 @pytest.fixture
 def engine(monkeypatch: pytest.MonkeyPatch) -> FakeEngine:
     engine = FakeEngine()
-    for name, fake in stand_ins(engine).items():
-        monkeypatch.setattr(cases, name, fake)
+    for module, name, fake in stand_ins(engine):
+        monkeypatch.setattr(module, name, fake)
     return engine
 
 

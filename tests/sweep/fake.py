@@ -25,7 +25,7 @@ from planemotion._layout import (
 from planemotion.compile.asks import Asked
 from planemotion.language import units
 from planemotion.reading.validate import validate
-from planemotion.sweep import cases
+from planemotion.sweep import cases, solver
 
 
 class FakeScene:
@@ -142,12 +142,18 @@ def data_of(path: Path) -> dict[str, Any]:
                 for name in file}  # fmt: skip
 
 
-def stand_ins(engine: FakeEngine) -> dict[str, Any]:
-    """What the module of cases is to use instead, by name."""
+def stand_ins(engine: FakeEngine) -> list[tuple[Any, str, Any]]:
+    """Module, name and what it is to use instead."""
     versions = {"planemotion": "1"}
-    return {"call": engine, "messages": engine, "flatten": fake_flatten, "versions": lambda: versions}
+    return [
+        (solver, "call", engine),
+        (solver, "messages", engine),
+        (cases, "flatten", fake_flatten),
+        (cases, "row_versions", lambda: versions),
+        (cases, "versions", lambda: versions),
+    ]
 
 
 def plant(engine: FakeEngine) -> None:
-    for name, fake in stand_ins(engine).items():
-        setattr(cases, name, fake)
+    for module, name, fake in stand_ins(engine):
+        setattr(module, name, fake)

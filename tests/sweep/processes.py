@@ -11,6 +11,7 @@ from typing import Any
 
 from planemotion.base.errors import StudyError
 from planemotion.sweep import chunks, run
+from planemotion.sweep.shard import Shard
 from tests import ROOT
 from tests.sweep.fake import BIG, FakeEngine, FakeScene, plant
 from tests.waiting import wait_for
@@ -34,6 +35,10 @@ def run_child(out: Path, sweep: dict[str, Any], pause: float, *arguments: str) -
     chunks.CHUNK_SECONDS = 0.1
     plant(FakeEngine(pause))
     try:
+        if "shard" in arguments:
+            shard = Shard.read(arguments[arguments.index("shard") + 1])
+            run.sweep_shard(FakeScene(sweep), out, shard, workers=2)
+            return
         run.sweep_files(FakeScene(sweep), out, resume="resume" in arguments, workers=2,
                           progress=lambda done, total: print(done, flush=True))  # fmt: skip
     except StudyError as error:

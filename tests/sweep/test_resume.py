@@ -91,7 +91,7 @@ def test_resume_says_what_is_different(
     heavier = FakeScene(BIG, parameters={"d": "1 in", "w": "2 rad/s", "m": 4})
     with pytest.raises(StudyError, match="tables"):
         run.sweep_files(heavier, killed, resume=True)
-    monkeypatch.setattr(cases, "versions", lambda: {"planemotion": "2"})
+    monkeypatch.setattr(cases, "row_versions", lambda: {"planemotion": "2"})
     with pytest.raises(StudyError, match=r'versions.planemotion \("1", now "2"\)'):
         run.sweep_files(FakeScene(BIG), killed, resume=True)
     assert files_in(killed) == before

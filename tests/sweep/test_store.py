@@ -21,8 +21,10 @@ from planemotion.base.files import appearing
 from planemotion.compile.asks import Asked
 from planemotion.sweep.block import Block
 from planemotion.sweep.layout import Coordinate, Layout
+from planemotion.sweep.locks import OutputLock
 from planemotion.sweep.netcdf import hyperslabs, write_result
-from planemotion.sweep.store import OutputLock, SweepStore, part_faults
+from planemotion.sweep.parts import part_faults
+from planemotion.sweep.store import SweepStore
 from planemotion.sweep.table import summarise, write_csv
 
 MANIFEST = {"format": 1, "scene": "one\ntwo", "sweep": {"d": {"num": 3}}, "checksums": {"tables": "a"}}

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from .draw import Picture
     from .engine.result import RunResult
     from .reporting import Report
+    from .sweep.run import ShardDone
 
 # Tables that may be set beside parameters, as in "sweep.d.num".
 _SETTABLE = ("parameters", "find", "sweep", "solve")
@@ -351,6 +352,7 @@ class Scene:
         workers: Any = None,
         resume: bool = False,
         progress: Any = None,
+        executor: Any = None,
         grids: Mapping[str, Any] | None = None,
         **more_grids: Any,
     ) -> Any:
@@ -360,6 +362,10 @@ class Scene:
 
         `grids`: the same as a dict, also of parameters with the name of an option, such as "workers".  See
         `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
+
+        `executor`: what computes instead of threads of this process: anything that has `submit` as the
+        executors of `concurrent.futures` have it (a process pool, a `dask.distributed.Client`,
+        `mpi4py.futures`), or a function that makes one, which is called again when its workers have died.
         """
         from .sweep.run import run_sweep
 
@@ -372,7 +378,36 @@ class Scene:
         chosen = {**(grids or {}), **more_grids}
         if chosen:
             scene = type(self).from_table({**self._raw, "sweep": plain(chosen)}, file=self.file)
-        return run_sweep(scene, out=out, workers=workers, resume=resume, progress=progress, kept=self._kept)
+        return run_sweep(
+            scene,
+            out=out,
+            workers=workers,
+            resume=resume,
+            progress=progress,
+            kept=self._kept,
+            executor=executor,
+        )
+
+    def sweep_shard(
+        self,
+        number: int,
+        of: int,
+        *,
+        out: str | os.PathLike[str],
+        workers: int | None = None,
+        progress: Any = None,
+        executor: Any = None,
+    ) -> ShardDone:
+        """The cases of shard `number` (1 to `of`) of its [sweep], left as parts in the folder `out`.
+
+        Other processes, on any machine that sees the folder, may compute other shards meanwhile; when all are
+        there, `sweep(out=out, resume=True)` puts them together.  A shard that was ended goes on where it was.
+        """
+        from .sweep.run import sweep_shard
+        from .sweep.shard import Shard
+
+        shard = Shard.read(f"{number}/{of}")
+        return sweep_shard(self, out, shard, workers=workers, progress=progress, executor=executor)
 
     # ---- changing ----
 

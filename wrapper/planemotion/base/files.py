@@ -36,13 +36,13 @@ def ending(path: Path, known: Collection[str], what: str) -> str:
 
 
 @contextmanager
-def appearing(path: Path) -> Iterator[Path]:
+def appearing(path: Path, mark: str = "") -> Iterator[Path]:
     """A temporary path beside `path`: what is written there becomes `path` when the context ends well, on the
-    disk for good; otherwise nothing of it stays.
+    disk for good; otherwise nothing of it stays.  `mark`: sets it apart where several processes write `path`.
 
     Raises StudyError if the disk is full or the place cannot be written.
     """
-    temporary = path.with_name(f".{path.name}.tmp")
+    temporary = path.with_name(f".{path.name}{mark}.tmp")
     try:
         with disk_errors(path):
             yield temporary

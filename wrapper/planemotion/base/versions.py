@@ -10,6 +10,8 @@ from pathlib import Path
 
 _TEXT_LENGTH = 64
 _DIGITS = 16
+# Other versions of these might compute other bits; the rest only writes files.
+_OF_ROWS = ("planemotion", "kernel", "SUNDIALS", "GSL")
 
 
 @cache
@@ -31,6 +33,11 @@ def versions() -> dict[str, str]:
         "h5py": version("h5py"),
     }
     return {name: text for name, text in found.items() if text}
+
+
+def row_versions() -> dict[str, str]:
+    """Those on which the bits of an answer depend."""
+    return {name: text for name, text in versions().items() if name in _OF_ROWS}
 
 
 def _sundials(library: ctypes.CDLL) -> str:

@@ -1,5 +1,5 @@
-"""The command line: `planemotion run | sweep | check | explain | plot | draw | animate | report | schema |
-new`.
+"""The command line: `planemotion run | sweep | merge | check | explain | plot | draw | animate | report |
+schema | new`.
 
 Exit status: 0 all is well; 1 a run failed or ended early; 2 what was given is wrong (a file, a key, a value,
 an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout, all else to stderr.
@@ -22,7 +22,7 @@ from .pictures import animate, draw, plot
 from .report import report
 from .run import run
 from .schema import schema
-from .sweep import sweep
+from .sweep import merge, sweep
 from .tell import check, explain
 
 
@@ -79,7 +79,7 @@ def main() -> None:
     """
 
 
-for _command in (run, sweep, check, explain, plot, draw, animate, report, schema, new):
+for _command in (run, sweep, merge, check, explain, plot, draw, animate, report, schema, new):
     main.add_command(_command)
 
 

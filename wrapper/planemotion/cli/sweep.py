@@ -1,4 +1,4 @@
-"""The command sweep: a study into a folder."""
+"""The commands sweep and merge: a study into a folder, by one process or by many."""
 
 from __future__ import annotations
 
@@ -7,15 +7,25 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from .options import FAILED, a_path, say, set_option, terminal_width
 
+if TYPE_CHECKING:
+    from ..sweep.run import SweepFiles
+    from ..sweep.shard import Shard
+
 # Without a terminal: seconds between two lines of progress.
 _PLAIN_PROGRESS_EVERY = 5.0
 _DIGITS_OF_TABLE = 6  # significant
+
+
+def _shard(_ctx: click.Context, _option: click.Parameter, written: str | None) -> Shard | None:
+    from ..sweep.shard import Shard
+
+    return Shard.read(written) if written is not None else None
 
 
 @click.command()
@@ -27,24 +37,66 @@ _DIGITS_OF_TABLE = 6  # significant
     "--workers", metavar="N", type=click.IntRange(min=1), help="Threads (default: one for each core)."
 )
 @click.option("--resume", is_flag=True, help="Go on where a sweep into DIR was ended.")
+@click.option(
+    "--shard",
+    metavar="I/N",
+    callback=_shard,
+    help="Only the I-th of N parts of the cases; `merge` puts together what N processes computed.",
+)
 @set_option
 @click.pass_context
 def sweep(
-    ctx: click.Context, study: Path, out: Path, workers: int | None, resume: bool, values: Mapping[str, str]
+    ctx: click.Context,
+    study: Path,
+    out: Path,
+    workers: int | None,
+    resume: bool,
+    shard: Shard | None,
+    values: Mapping[str, str],
 ) -> None:
     """Run all cases of a study and leave HDF5, CSV and PNG in DIR.
 
     A case that fails becomes a gap with a status and does not stop the others. Ctrl-C keeps what is done.
     """
     from ..file import load
-    from ..sweep.run import sweep_files
+    from ..sweep.run import sweep_files, sweep_shard
+
+    scene = load(study).with_values(values)
+    if shard:
+        with _progress() as report:
+            done = sweep_shard(scene, out, shard, workers=workers, progress=report)
+        left = f"{done.missing} of the sweep are missing" if done.missing else "all shards are there"
+        say(f"shard {shard}: {done.cases} cases, {done.computed} computed; {left}")
+        return
+    begun = time.perf_counter()
+    with _progress() as report:
+        files = sweep_files(scene, out, workers=workers, resume=resume, progress=report, tell=say)
+    _told(ctx, files, time.perf_counter() - begun)
+
+
+@click.command()
+@click.argument("study", type=a_path)
+@click.option("--out", required=True, metavar="DIR", type=a_path, help="Folder of the shards.")
+@click.option("--wait", is_flag=True, help="Wait until all shards are computed, and show how far they are.")
+@set_option
+@click.pass_context
+def merge(ctx: click.Context, study: Path, out: Path, wait: bool, values: Mapping[str, str]) -> None:
+    """Make one result of the shards of a study that are in DIR.
+
+    It leaves what `sweep` would have left, with the same bytes in the table, and removes the shards.
+    """
+    from ..file import load
+    from ..sweep.run import merge_shards
 
     scene = load(study).with_values(values)
     begun = time.perf_counter()
     with _progress() as report:
-        files = sweep_files(scene, out, workers=workers, resume=resume, progress=report, tell=say)
-    seconds = time.perf_counter() - begun
+        files = merge_shards(scene, out, wait=wait, progress=report, tell=say)
+    _told(ctx, files, time.perf_counter() - begun)
 
+
+def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
+    """Draws and tells a result; exit status 1 if no case is ok."""
     from ..pictures.plots import plot
     from ..sweep.table import summarise
 

@@ -20,10 +20,10 @@ from .store import SweepStore
 # Seconds of work per chunk: what a kill may cost, and far more than storing a part takes.
 CHUNK_SECONDS = 0.5
 # How fast the size of a chunk may grow towards the goal.
-_GROWTH = 4
-_FIRST_CHUNK_PER_WORKER = 8
+GROWTH = 4
+FIRST_CHUNK = 8
 # Between two looks at progress and at Ctrl-C, and the time the kernel gets to end after Ctrl-C, in s.
-_POLL = 0.05
+POLL = 0.05
 _GRACE = 0.7
 Progress = Callable[[int, int], None]
 
@@ -50,7 +50,7 @@ class _ChunkCall:
     def wait(self, report: Callable[[int], None]) -> Block:
         """The results; until then `report` gets now and then how many cases are finished."""
         while self._thread.is_alive():
-            self._thread.join(_POLL)
+            self._thread.join(POLL)
             report(int(self._done.min()))
         if self._block is None:
             assert self._error is not None
@@ -68,7 +68,7 @@ class _Pacer:
     def __init__(self, workers: int, most: int, first: int | None = None) -> None:
         self._workers = workers
         self._most = most
-        self._size = min(first or workers * _FIRST_CHUNK_PER_WORKER, most)
+        self._size = min(first or workers * FIRST_CHUNK, most)
 
     @property
     def size(self) -> int:
@@ -78,7 +78,7 @@ class _Pacer:
     def observe(self, count: int, seconds: float) -> None:
         goal = count * CHUNK_SECONDS / max(seconds, 1e-6)
         # Whole rounds of all workers, so that none waits for the last case of a small chunk.
-        rounds = max(1, round(min(goal, self._size * _GROWTH) / self._workers))
+        rounds = max(1, round(min(goal, self._size * GROWTH) / self._workers))
         self._size = min(rounds * self._workers, self._most)
 
     def chunks(self, gaps: Sequence[tuple[int, int]]) -> Iterator[tuple[int, int]]:

@@ -15,12 +15,22 @@ if TYPE_CHECKING:
 
 
 class MemoryStore:
-    """Takes the blocks of a sweep of `cases` cases, in order; nothing is ever there before."""
+    """Takes the blocks of a sweep of `cases` cases, in any order; nothing is ever there before."""
 
     def __init__(self, cases: int) -> None:
         self.cases = cases
         self.done = 0
-        self.blocks: list[Block] = []
+        self._blocks: dict[int, Block] = {}
+
+    @property
+    def blocks(self) -> list[Block]:
+        """The blocks in the order of the cases."""
+        return [self._blocks[first] for first in sorted(self._blocks)]
+
+    @property
+    def missing(self) -> int:
+        """Cases that are not there yet."""
+        return self.cases - self.done
 
     def gaps(self) -> list[tuple[int, int]]:
         """First case and number of cases of what is missing at the beginning: all."""
@@ -28,8 +38,7 @@ class MemoryStore:
 
     def add(self, first: int, block: Block) -> None:
         """Keeps the results of the cases from `first` on."""
-        assert first == self.done, "blocks come in the order of the cases"
-        self.blocks.append(block)
+        self._blocks[first] = block
         self.done += len(block)
 
 

@@ -17,14 +17,19 @@ from .chunks import Progress, fill
 from .memory import MemoryStore, dataset
 from .netcdf import write_result
 from .plan import plan_sweep
+from .shard import Shard
 from .size import Size, check_cases, check_disk, check_memory, expected_size
-from .store import SweepStore
+from .spread import ExecutorLike, fill_by, is_executor
+from .store import SweepStore, wait_for_cases
 from .table import is_table_of, write_csv
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..reading.scene import WrittenScene
+
+# Ranges of missing cases that a message names.
+_NAMED_GAPS = 3
 
 
 class SweepInterrupted(StudyError):
@@ -46,10 +51,27 @@ class SweepFiles:
     computed: int
 
 
-def _study_of(scene: WrittenScene, workers: int | None, kept: Kept | None = None) -> Study:
+def _study_of(
+    scene: WrittenScene, workers: int | None, kept: Kept | None, executor: ExecutorLike | None = None
+) -> Study:
     if workers is not None and workers < 1:
         raise StudyError(f"workers = {workers}: at least 1 is needed")
-    return Study(scene, plan_sweep(scene), workers or len(os.sched_getaffinity(0)), kept or Kept())
+    if executor is not None and not (callable(executor) or is_executor(executor)):
+        raise StudyError(
+            f"executor is {type(executor).__name__}; what has the method submit is wanted, such as a "
+            "ProcessPoolExecutor or a dask.distributed.Client, or a function that makes it"
+        )
+    usual = 1 if executor is not None else len(os.sched_getaffinity(0))
+    return Study(scene, plan_sweep(scene), workers or usual, kept or Kept())
+
+
+def _fill(
+    store: SweepStore | MemoryStore, study: Study, executor: ExecutorLike | None, progress: Progress
+) -> None:
+    if executor is None:
+        fill(store, study, progress)
+    else:
+        fill_by(store, study, executor, progress)
 
 
 def _size_of(study: Study) -> Size:
@@ -76,19 +98,21 @@ def sweep_files(
     progress: Progress | None = None,
     kept: Kept | None = None,
     tell: Callable[[str], None] = _silent,
+    executor: ExecutorLike | None = None,
 ) -> SweepFiles:
     """Runs all cases of the scene's [sweep] and leaves OUT/ID.h5 and OUT/ID.csv.
 
-    `workers`: threads (default: the processors of this process).  `resume`: go on where an earlier sweep into
-    `out` was ended; begins where there is none.  `progress(done, total)` is called some times a second in the
-    calling thread.  `kept`: of earlier sweeps of the scene, over whatever grids.  `tell(text)` is called
-    before anything is computed with how much it will be.  A case that fails becomes NaN, status and message;
-    the sweep goes on.
+    `workers`: threads (default: the processors of this process).  `executor`: what computes instead of them,
+    as spread.py says; `workers` are then the threads of each of its tasks (default: 1).  `resume`: go on
+    where an earlier sweep into `out` was ended; begins where there is none.  `progress(done, total)` is
+    called some times a second in the calling thread.  `kept`: of earlier sweeps of the scene, over whatever
+    grids.  `tell(text)` is called before anything is computed with how much it will be.  A case that fails
+    becomes NaN, status and message; the sweep goes on.
 
     Raises SceneError (the scene cannot be swept), StudyError (the output cannot be used or written, or
     belongs to something else; nothing half-written stays) and SweepInterrupted (Ctrl-C).
     """
-    study = _study_of(scene, workers, kept)
+    study = _study_of(scene, workers, kept, executor)
     plan, folder, size = study.plan, Path(out), _size_of(study)
     store = SweepStore(folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=resume)
     with store:
@@ -98,14 +122,8 @@ def sweep_files(
         if missing:
             tell(size.text)
         try:
-            fill(store, study, progress or _nobody)
-            if not store.finished:
-                with store.finish() as path:
-                    attributes = {**study.attributes(), "manifest": json.dumps(store.manifest)}
-                    write_result(path, study.layout, store.blocks(), attributes)
-            if missing or not _has_table(store, tell):
-                write_csv(store.result, store.table)
-            store.remove_parts()
+            _fill(store, study, executor, progress or _nobody)
+            _finish(store, study, missing, tell)
         except KeyboardInterrupt:
             raise SweepInterrupted(
                 f"stopped: {store.done} of {plan.cases} cases are saved in {folder}; go on with --resume",
@@ -113,6 +131,93 @@ def sweep_files(
                 plan.cases,
             ) from None
     return SweepFiles(store.result, store.table, plan.cases, missing)
+
+
+def _finish(store: SweepStore, study: Study, missing: int, tell: Callable[[str], None]) -> None:
+    """Makes one result and its table of all parts; `missing`: the cases that were not there before."""
+    if not store.finished:
+        with store.finish() as path:
+            attributes = {**study.attributes(), "manifest": json.dumps(store.manifest)}
+            write_result(path, study.layout, store.blocks(), attributes)
+    if missing or not _has_table(store, tell):
+        write_csv(store.result, store.table)
+    store.remove_parts()
+
+
+@dataclass(frozen=True)
+class ShardDone:
+    """What a shard left: its cases, how many of them are new, and how many of the sweep are missing still."""
+
+    cases: int
+    computed: int
+    missing: int
+
+
+def sweep_shard(
+    scene: WrittenScene,
+    out: str | os.PathLike[str],
+    shard: Shard,
+    *,
+    workers: int | None = None,
+    progress: Progress | None = None,
+    executor: ExecutorLike | None = None,
+) -> ShardDone:
+    """Runs the cases of one shard of the scene's [sweep] and leaves them as parts in OUT/ID.parts.
+
+    Processes on any machines that see the folder may compute other shards meanwhile.  A shard that was ended
+    goes on where it was.  `progress` is told the cases of all shards.  Raises as `sweep_files` does.
+    """
+    study = _study_of(scene, workers, None, executor)
+    _size_of(study)
+    plan, folder = study.plan, Path(out)
+    store = SweepStore(
+        folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=True, shard=shard
+    )
+    with store:
+        missing = store.missing
+        try:
+            _fill(store, study, executor, progress or _nobody)
+        except KeyboardInterrupt:
+            raise SweepInterrupted(
+                f"stopped: shard {shard} has {store.missing} cases to go; the same command goes on there",
+                store.done,
+                plan.cases,
+            ) from None
+        first, end = shard.range(plan.cases)
+        return ShardDone(end - first, missing, plan.cases - store.count())
+
+
+def merge_shards(
+    scene: WrittenScene,
+    out: str | os.PathLike[str],
+    *,
+    wait: bool = False,
+    progress: Progress | None = None,
+    tell: Callable[[str], None] = _silent,
+) -> SweepFiles:
+    """Makes OUT/ID.h5 and OUT/ID.csv of what the shards have left; the parts are removed then.
+
+    `wait`: until all cases are there.  Raises StudyError if some are missing, and as `sweep_files` does.
+    """
+    study = _study_of(scene, None, None)
+    folder, name, cases = Path(out), _file_name(scene.data.id), study.plan.cases
+    if wait:
+        wait_for_cases(folder, name, cases, progress or _nobody)
+    elif not (folder / f"{name}.parts").exists() and not (folder / f"{name}.h5").exists():
+        raise StudyError(f"{folder}: no shard of the sweep {name} has been computed there")
+    store = SweepStore(folder, name, cases, study.manifest(), resume=True)
+    with store:
+        gaps = store.gaps()
+        if gaps:
+            named = ", ".join(f"{first} to {first + count - 1}" for first, count in gaps[:_NAMED_GAPS])
+            more = f" and {len(gaps) - _NAMED_GAPS} more ranges" if len(gaps) > _NAMED_GAPS else ""
+            raise StudyError(
+                f"{folder}: {store.missing} of {cases} cases are missing: {named}{more}. Compute their "
+                "shards once more, or what is missing here by sweep --resume"
+            )
+        was_there = store.finished
+        _finish(store, study, 0 if was_there else cases, tell)
+    return SweepFiles(store.result, store.table, cases, 0)
 
 
 def _has_table(store: SweepStore, tell: Callable[[str], None]) -> bool:
@@ -133,18 +238,21 @@ def run_sweep(
     resume: bool = False,
     progress: Progress | None = None,
     kept: Kept | None = None,
+    executor: ExecutorLike | None = None,
 ) -> xr.Dataset:
     """As `sweep_files`, but gives the labelled results: opened lazily from OUT/ID.h5 (its path is in
     `encoding["source"]`), or, without `out`, in memory, with no file left behind."""
     if out is not None:
         import xarray as xr
 
-        files = sweep_files(scene, out, workers=workers, resume=resume, progress=progress, kept=kept)
+        files = sweep_files(
+            scene, out, workers=workers, resume=resume, progress=progress, kept=kept, executor=executor
+        )
         return xr.open_dataset(files.result, engine="h5netcdf")
-    study = _study_of(scene, workers, kept)
+    study = _study_of(scene, workers, kept, executor)
     check_memory(_size_of(study))
     store = MemoryStore(study.plan.cases)
-    fill(store, study, progress or _nobody)
+    _fill(store, study, executor, progress or _nobody)
     attributes = {**study.attributes(), "manifest": json.dumps(study.manifest())}
     return dataset(study.layout, store.blocks, attributes)
 

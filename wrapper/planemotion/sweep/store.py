@@ -5,7 +5,8 @@
       ID.parts/                         only while the sweep is unfinished
         manifest.json                   what is being computed; a resumed sweep must be the same
         part-FIRST-COUNT-CHECKSUM.npy   cases FIRST .. FIRST+COUNT-1
-      sweep.lock                        held by the sweep that runs
+      sweep.lock                        held by the sweep that runs, or by its shards together
+      shard-I-of-N.lock                 held by the shard that runs
 
 A part is written under a temporary name, flushed to the disk and renamed, so a killed sweep leaves whole
 parts only.  Its name carries the checksum of its bytes: damage is found before anything is read from it.
@@ -15,111 +16,49 @@ Cases are numbered in C order over the dimensions of the sweep, in 64 bits.
 
 from __future__ import annotations
 
-import fcntl
-import hashlib
 import json
-import os
-import re
 import shutil
-import socket
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
-import h5py
-
-from ..base.bounded import read_bytes, require_file
+from ..base.bounded import read_bytes
 from ..base.checksums import require_sound
 from ..base.errors import StudyError
 from ..base.files import appearing, disk_errors, sync_folder
 from .block import Block
+from .locks import OutputLock, ShardLock, wait_until_free
+from .manifest import check_same, manifest_of_result
+from .parts import Part, part_at, parts_in, read_part, write_part
+from .shard import Shard
 
-# Key of the manifest under which numbers stand that say only that something differs, not what.
-CHECKSUMS = "checksums"
-# Hexadecimal digits of the SHA-256 of a part in its name: 64 bits against accidental damage.
-_CHECKSUM_DIGITS = 16
-_PART = re.compile(rf"part-(\d+)-(\d+)-([0-9a-f]{{{_CHECKSUM_DIGITS}}})\.npy")
 # Cases, and bytes of their answers, that are read at once for the final file: few large writes.
 _SLAB_CASES = 65536
 _MOST_MANIFEST = 100_000_000  # bytes
 _SLAB_BYTES = 1 << 25
-
-
-class OutputLock:
-    """Keeps a second sweep out of a folder.
-
-    The lock itself is the system's (flock), so it ends with the process however that ends; the text in the
-    file only tells a second sweep whom it meets.
-    """
-
-    def __init__(self, folder: Path) -> None:
-        self.path = folder / "sweep.lock"
-        self._descriptor: int | None = None
-
-    def acquire(self) -> None:
-        """Raises StudyError if another sweep holds the lock."""
-        while self._descriptor is None:
-            descriptor = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
-            try:
-                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                owner = os.read(descriptor, 1000).decode(errors="replace").strip()
-                os.close(descriptor)
-                raise StudyError(
-                    f"{self.path.parent}: another sweep writes into this folder ({owner or 'just started'}); "
-                    "wait until it ends, or give another --out"
-                ) from None
-            except OSError:
-                os.close(descriptor)
-                raise
-            if self._is_current(descriptor):
-                self._descriptor = descriptor
-            else:  # its owner removed the file between our open and our lock
-                os.close(descriptor)
-        os.ftruncate(self._descriptor, 0)
-        os.write(self._descriptor, _owner().encode())
-
-    def release(self) -> None:
-        if self._descriptor is not None:
-            self.path.unlink(missing_ok=True)
-            os.close(self._descriptor)
-            self._descriptor = None
-
-    def _is_current(self, descriptor: int) -> bool:
-        try:
-            return os.path.samestat(os.fstat(descriptor), os.stat(self.path))
-        except FileNotFoundError:
-            return False
-
-
-def _owner() -> str:
-    return f"process {os.getpid()} on {socket.gethostname()}, since {time.strftime('%Y-%m-%d %H:%M:%S')}"
-
-
-@dataclass(frozen=True, order=True)
-class _Part:
-    first: int
-    count: int
-    checksum: str
-    path: Path
-
-    @property
-    def end(self) -> int:
-        return self.first + self.count
+# Between two looks at what the other shards have stored, in s.
+_LOOK_EVERY = 5.0
 
 
 class SweepStore:
     """The files of one sweep, locked between entering and leaving it as a context.
 
     `result`, `table`: paths of the HDF5 and of the CSV file; `finished`: the result is there already;
-    `done`: cases stored.
+    `done`: cases stored.  `shard`: only these cases are to be stored, and other processes may store other
+    shards meanwhile; to go on where one was ended is then always right.
     """
 
     def __init__(
-        self, folder: Path, name: str, cases: int, manifest: Mapping[str, Any], *, resume: bool
+        self,
+        folder: Path,
+        name: str,
+        cases: int,
+        manifest: Mapping[str, Any],
+        *,
+        resume: bool,
+        shard: Shard | None = None,
     ) -> None:
         self.folder = folder
         self.result = folder / f"{name}.h5"
@@ -128,11 +67,14 @@ class SweepStore:
         self.cases = cases
         self.manifest = json.loads(json.dumps(manifest))  # as it is when read back
         self.resume = resume
+        self.shard = shard
         self.finished = False
-        self._parts: list[_Part] = []
-        self._lock = OutputLock(folder)
+        self._range = shard.range(cases) if shard else (0, cases)
+        self._parts: list[Part] = []
+        self._lock = ShardLock(folder, shard) if shard else OutputLock(folder)
         self._made_folder = False
         self._began = False
+        self._others = (0.0, 0)  # when they were looked at, and the cases that other shards had stored
 
     def __enter__(self) -> Self:
         """Takes the lock, looks at what is there and begins or goes on.
@@ -163,12 +105,15 @@ class SweepStore:
                 self.folder.rmdir()
 
     def _open(self) -> None:
-        if not self.resume:
+        if not self.resume and not self.shard:
             self._refuse_old_results()
         if self.result.exists():
-            self._compare(_manifest_of_result(self.result), self.result)
-            require_sound(self.result)
+            check_same(manifest_of_result(self.result), self.manifest, self.result)
+            if not self.shard:
+                require_sound(self.result)
             self.finished = True
+        elif self.shard:
+            self._join(self.shard)
         elif self.parts_folder.exists():
             self._open_parts()
         else:
@@ -180,7 +125,7 @@ class SweepStore:
                 f"{self.result}: the result of a sweep is there already and is never overwritten; "
                 "give another --out, or remove it"
             )
-        found = list(_parts_in(self.parts_folder))
+        found = list(parts_in(self.parts_folder))
         if found:
             stored = sum(part.count for part in found)
             raise StudyError(
@@ -195,13 +140,32 @@ class SweepStore:
         with disk_errors(self.parts_folder):
             self.parts_folder.mkdir(exist_ok=True)
             sync_folder(self.folder)
-        with appearing(self._manifest_path) as temporary:
+        self._write_manifest()
+
+    def _write_manifest(self, mark: str = "") -> None:
+        with appearing(self._manifest_path, mark) as temporary:
             temporary.write_text(json.dumps(self.manifest, indent=1), encoding="utf-8")
 
+    def _join(self, shard: Shard) -> None:
+        """Begins the sweep, or goes on beside other shards of it."""
+        with disk_errors(self.parts_folder):
+            self.parts_folder.mkdir(exist_ok=True)
+        if self._manifest_path.exists():
+            self._check_manifest()
+        else:  # all shards write the same
+            self._write_manifest(f".{shard.mark}")
+        self._take(part for part in parts_in(self.parts_folder) if part.meets(*self._range))
+
     def _open_parts(self) -> None:
-        found = sorted(_parts_in(self.parts_folder))
+        found = list(parts_in(self.parts_folder))
         if not self._manifest_path.exists() and not found:  # killed before the first part
             return self._begin()
+        self._check_manifest()
+        self._take(found)
+        for leftover in self.parts_folder.glob(".*.tmp"):
+            leftover.unlink(missing_ok=True)
+
+    def _check_manifest(self) -> None:
         try:
             stored = json.loads(read_bytes(self._manifest_path, _MOST_MANIFEST))
         except (OSError, ValueError) as error:
@@ -209,31 +173,16 @@ class SweepStore:
                 f"{self._manifest_path}: cannot be read ({error}), so it is not known what the parts beside "
                 f"it belong to; remove {self.parts_folder} to start again"
             ) from None
-        self._compare(stored, self.parts_folder)
+        check_same(stored, self.manifest, self.parts_folder)
+
+    def _take(self, parts: Iterable[Part]) -> None:
+        """Parts that were stored before, each checked."""
+        found = sorted(parts)
         for before, part in zip([None, *found], found, strict=False):
             if part.end > self.cases or (before and part.first < before.end):
                 raise StudyError(f"{part.path}: its cases are not wanted or are there twice; remove it")
-            _read_part(part)
-        for leftover in self.parts_folder.glob(".*.tmp"):
-            leftover.unlink(missing_ok=True)
+            read_part(part)
         self._parts = found
-
-    def _compare(self, stored: Mapping[str, Any], place: Path) -> None:
-        """Raises StudyError naming what differs between the stored manifest and this sweep's."""
-        formats = [one.get("format") if isinstance(one, dict) else None for one in (stored, self.manifest)]
-        if formats[0] != formats[1]:
-            raise StudyError(
-                f"{place}: was written by another version of planemotion, in another format "
-                f"({_shown(formats[0])}, now {_shown(formats[1])}), so this one cannot go on there. "
-                "Finish it with that version, or give another --out"
-            )
-        differences = list(_differences(stored, self.manifest))
-        if differences:
-            named = [text for text in differences if not text.startswith(f"{CHECKSUMS}.")]
-            raise StudyError(
-                f"{place}: belongs to another sweep, so this one cannot go on there. Different: "
-                f"{'; '.join(named or differences)}. Give another --out, or undo the change"
-            )
 
     @property
     def _manifest_path(self) -> Path:
@@ -241,29 +190,50 @@ class SweepStore:
 
     @property
     def done(self) -> int:
-        return self.cases if self.finished else sum(part.count for part in self._parts)
+        """Cases stored; beside other shards those of all, as of some seconds ago."""
+        if self.finished:
+            return self.cases
+        own = sum(part.count for part in self._parts)
+        return own + self._stored_by_others() if self.shard else own
+
+    def _stored_by_others(self) -> int:
+        now = time.monotonic()
+        if now - self._others[0] > _LOOK_EVERY or not self._others[0]:
+            others = (part for part in parts_in(self.parts_folder) if not part.meets(*self._range))
+            self._others = now, sum(part.count for part in others)
+        return self._others[1]
+
+    def count(self) -> int:
+        """Cases stored now, by whatever process."""
+        return self.cases if self.finished else sum(part.count for part in parts_in(self.parts_folder))
+
+    @property
+    def missing(self) -> int:
+        """Cases that are to be stored and are not."""
+        return sum(count for _, count in self.gaps())
 
     def gaps(self) -> list[tuple[int, int]]:
         """First case and number of cases of each range that is not stored yet, in order."""
         if self.finished:
             return []
-        edges = [0, *(edge for part in self._parts for edge in (part.first, part.end)), self.cases]
-        return [(a, b - a) for a, b in zip(edges[::2], edges[1::2], strict=True) if b > a]
+        found, (place, end) = [], self._range
+        for part in self._parts:
+            if part.first > place:
+                found.append((place, part.first - place))
+            place = max(place, part.end)
+        return [*found, (place, end - place)] if place < end else found
 
     def add(self, first: int, block: Block) -> None:
         """Stores the results of cases first .. first+len(block)-1; when this returns they are on the disk.
 
         Raises StudyError if they cannot be written; the parts stored before stay.
         """
-        data = block.to_bytes()
-        checksum = _checksum(first, len(block), data)
-        path = self.parts_folder / f"part-{first:012d}-{len(block):08d}-{checksum}.npy"
+        part, data = part_at(self.parts_folder, first, block)
         try:
-            with appearing(path) as temporary:
-                temporary.write_bytes(data)
+            write_part(part, data)
         finally:
-            if path.exists():  # it counts even if Ctrl-C came just after the rename
-                self._parts.append(_Part(first, len(block), checksum, path))
+            if part.path.exists():  # it counts even if Ctrl-C came just after the rename
+                self._parts.append(part)
                 self._parts.sort()
 
     def blocks(self) -> Iterator[Block]:
@@ -271,7 +241,7 @@ class SweepStore:
         waiting: list[Block] = []
         cases = size = 0
         for part in self._parts:
-            block = _read_part(part)
+            block = read_part(part)
             waiting.append(block)
             cases += len(block)
             size += block.value.nbytes
@@ -294,80 +264,17 @@ class SweepStore:
     def remove_parts(self) -> None:
         """To be called when nothing of the result is missing any more."""
         shutil.rmtree(self.parts_folder, ignore_errors=True)
+        for lock in self.folder.glob("shard-*-of-*.lock"):
+            lock.unlink(missing_ok=True)
         self._parts = []
 
 
-def _checksum(first: int, count: int, data: bytes) -> str:
-    """Of a part: its cases and its bytes, so that it cannot pass for another one."""
-    return hashlib.sha256(b"%d %d\n" % (first, count) + data).hexdigest()[:_CHECKSUM_DIGITS]
-
-
-def part_faults(folder: Path) -> Iterator[str]:
-    """What is wrong with the parts of an unfinished sweep, one sentence each."""
-    for part in sorted(_parts_in(folder)):
-        try:
-            _read_part(part)
-        except StudyError as error:
-            yield str(error)
-
-
-def _parts_in(folder: Path) -> Iterator[_Part]:
-    for path in folder.glob("part-*.npy"):
-        match = _PART.fullmatch(path.name)
-        if match:
-            yield _Part(int(match[1]), int(match[2]), match[3], path)
-
-
-def _read_part(part: _Part) -> Block:
-    """Raises StudyError if the file is not what was written."""
-    try:
-        require_file(part.path)
-        data = part.path.read_bytes()
-    except OSError as error:
-        raise StudyError(f"{part.path}: cannot be read: {error.strerror}") from error
-    found = _checksum(part.first, part.count, data)
-    if found != part.checksum:
-        raise StudyError(
-            f"{part.path}: this part file is damaged, or is one of other cases (checksum {found}, "
-            f"{part.checksum} when it was written). Remove it and go on with --resume: its {part.count} "
-            f"cases, {part.first} to {part.end - 1}, are then computed again"
-        )
-    return Block.from_bytes(data)
-
-
-def _manifest_of_result(path: Path) -> dict[str, Any]:
-    try:
-        require_file(path)
-        with h5py.File(path, "r") as file:
-            manifest: dict[str, Any] = json.loads(file.attrs["manifest"])
-            return manifest
-    except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
-        raise StudyError(
-            f"{path}: is not a whole result of a sweep ({error}); give another --out, or remove it"
-        ) from None
-
-
-def _differences(old: object, new: object, name: str = "") -> Iterator[str]:
-    """What differs between two values made of dicts, lists, texts and numbers, as "name: old, now new"."""
-    if isinstance(old, dict) and isinstance(new, dict):
-        for key in [*old, *(key for key in new if key not in old)]:
-            place = f"{name}.{key}" if name else str(key)
-            yield from _differences(old.get(key), new.get(key), place)
-    elif isinstance(old, str) and isinstance(new, str) and ("\n" in old or "\n" in new):
-        yield from _different_lines(old.splitlines(), new.splitlines(), name)
-    elif old != new:
-        yield f"{name} ({_shown(old)}, now {_shown(new)})"
-
-
-def _different_lines(old: Sequence[str], new: Sequence[str], name: str) -> Iterator[str]:
-    for line in [*old, *new]:
-        if line not in new:
-            yield f"{name} without the line `{line}`"
-        elif line not in old:
-            yield f"{name} with the line `{line}`"
-    if sorted(old) == sorted(new) and old != new:
-        yield f"{name} in another order"
-
-
-def _shown(value: object) -> str:
-    return "missing" if value is None else json.dumps(value, ensure_ascii=False)
+def wait_for_cases(folder: Path, name: str, cases: int, progress: Callable[[int, int], None]) -> None:
+    """Waits until the shards of the sweep have stored all cases, and none of them is at work any more."""
+    done = 0
+    while done < cases and not (folder / f"{name}.h5").exists():
+        if done:
+            time.sleep(_LOOK_EVERY)
+        done = sum(part.count for part in parts_in(folder / f"{name}.parts"))
+        progress(done, cases)
+    wait_until_free(folder)

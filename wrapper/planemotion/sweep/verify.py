@@ -9,7 +9,7 @@ from ..base.bounded import require_file
 from ..base.checksums import faults_of
 from ..base.errors import StudyError
 from ..engine.history import is_history
-from .store import part_faults
+from .parts import part_faults
 from .table import is_table_of
 
 # What every HDF5 file begins with.
