@@ -223,3 +223,18 @@ def test_a_run_that_ends_early_is_shown_and_told(folder: Path) -> None:
     assert done.exit_code == 1
     assert "the run ended early (limit_time)" in done.stderr
     assert "ended early: limit_time" in (folder / "a.html").read_text(encoding="utf-8")
+
+
+def test_what_stands_still_is_the_same_in_all_frames_of_a_gif(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """White paper stays white, and the same numbers stand for it: it is stored once."""
+    from PIL import Image, ImageSequence
+
+    monkeypatch.setattr(video, "_MOST", 8)
+    planemotion.load_text(BALL).animate().save("x.gif")
+    with Image.open(folder / "x.gif") as shown:
+        frames = [np.asarray(one.convert("RGB"))[:, :30] for one in ImageSequence.Iterator(shown)]
+    assert len(frames) > 2
+    assert tuple(frames[-1][2, 2]) == (255, 255, 255)
+    assert all(np.array_equal(frame[60:], frames[0][60:]) for frame in frames)

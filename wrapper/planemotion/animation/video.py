@@ -25,7 +25,7 @@ _RATE = 20  # frames per second
 _SHORTEST, _LONGEST, _USUAL = 3.0, 12.0, 6.0
 _MOST = 240  # frames
 _RESOLUTION = 100  # dots per inch
-_COLOURS = 128  # of a GIF
+_COLOURS = 64  # of a GIF
 _NAME = 8.5  # size of names, in points
 
 Frame = npt.NDArray[np.uint8]
@@ -70,6 +70,7 @@ class _Paper:
             figure.set_dpi(_RESOLUTION)
             self.offsets = self._name_offsets()
             SceneDrawing(motion.data, self.sketch).draw_ground()
+            self._write_names(self.sketch.pen)
             page.head(figure, title_of(motion.data), "")
             width, height = figure.get_size_inches()
             self.clock = figure.text(
@@ -85,12 +86,8 @@ class _Paper:
         before = set(axes.get_children())
         with page.style():
             sketch = _SameSketch(self.sketch, self.motion.poses_at(time))
-            SceneDrawing(self.motion.data, sketch).draw()
-            for name in sketch.pen.names:
-                dx, dy = self.offsets.get(name.text, (0.0, 0.0))
-                weight = "bold" if name.bold else "normal"
-                place = (name.place[0] + dx, name.place[1] + dy)
-                axes.text(*place, name.text, color=name.colour, size=_NAME, weight=weight, zorder=8)
+            SceneDrawing(self.motion.data, sketch).draw_moving()
+            self._write_names(sketch.pen)
             self.canvas.restore_region(self.background)
             new = [artist for artist in axes.get_children() if artist not in before]
             for artist in sorted(new, key=lambda one: one.get_zorder()):
@@ -99,6 +96,14 @@ class _Paper:
             self.clock.set_text(f"{plane_of(self.motion.data)}; t = {time:.3f} s{self.slow}")
             figure.draw_artist(self.clock)
         return np.asarray(self.canvas.buffer_rgba())[:, :, :3].copy()
+
+    def _write_names(self, pen: Pen) -> None:
+        """The names of a pen, each as far from what it names as at the start."""
+        for name in pen.names:
+            dx, dy = self.offsets.get(name.text, (0.0, 0.0))
+            weight = "bold" if name.bold else "normal"
+            place = (name.place[0] + dx, name.place[1] + dy)
+            pen.axes.text(*place, name.text, color=name.colour, size=_NAME, weight=weight, zorder=8)
 
     def _name_offsets(self) -> dict[str, Place]:
         """How far each name stands from what it names, at the start; the names are taken off again."""
@@ -122,7 +127,13 @@ class _Paper:
 def _write_gif(path: Path, shown: Iterator[Frame]) -> None:
     from PIL import Image
 
-    images = [Image.fromarray(frame).quantize(_COLOURS) for frame in shown]
+    pictures = [Image.fromarray(frame) for frame in shown]
+    # With one palette what stands still has the same numbers in all frames, and is stored once.
+    some = [pictures[i] for i in (0, len(pictures) // 2, -1)]
+    palette = Image.fromarray(np.vstack([np.asarray(one) for one in some])).quantize(
+        _COLOURS, Image.Quantize.MAXCOVERAGE
+    )
+    images = [one.quantize(palette=palette, dither=Image.Dither.NONE) for one in pictures]
     images[0].save(
         path, format="GIF", save_all=True, append_images=images[1:], duration=1000 // _RATE, loop=0
     )
