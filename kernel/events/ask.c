@@ -57,13 +57,13 @@ int pm_ask_create(pm_workspace *w)
     a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *e = PM_ASK_ROW(w->model, i);
-        const int watches = pm_ask_watches(e);
+        const int watches = pm_model_ask_watches(e);
         if (watches) a->observer[a->nobserver++] = i;
         if (watches) {
             note_switches(w, i);
             pm_watched_samples_add(w->model, w->watched, pm_ask_program(e), PM_SAMPLE_ASKS);
         }
-        if (pm_ask_is_integral(e) && e[PM_ASK_PROGRAM_2] >= 0)
+        if (pm_model_ask_is_integral(e) && e[PM_ASK_PROGRAM_2] >= 0)
             pm_watched_samples_add(w->model, w->watched, e[PM_ASK_PROGRAM_2], PM_SAMPLE_ASKS);
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
@@ -205,7 +205,7 @@ void pm_ask_instant(pm_workspace *w)
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
         const double value = unique(w, ask, pm_ask_program(e), pm_ask_run(w, ask));
-        if (pm_ask_is_integral(e))
+        if (pm_model_ask_is_integral(e))
             w->ask->undefined[ask] |= w->ask->shared[ask]; /* of the phase that begins, too */
         else if (e[PM_ASK_KIND] == PM_ASK_GRID)
             offer_grid(w, ask, value);
@@ -282,7 +282,7 @@ void pm_ask_end(pm_workspace *w)
         if (e[PM_ASK_KIND] == PM_ASK_END)
             pm_ask_answer(w, i, 0, e[PM_ASK_PROGRAM], pm_ask_value(w, e[PM_ASK_PROGRAM]));
         if (e[PM_ASK_KIND] == PM_ASK_GRID) offer_grid(w, i, pm_ask_value(w, e[PM_ASK_PROGRAM_2]));
-        if (pm_ask_is_integral(e)) answer(w, i, 0, pm_integral_answer(w, i));
+        if (pm_model_ask_is_integral(e)) answer(w, i, 0, pm_integral_answer(w, i));
         if (w->ask->undefined[i]) answer(w, i, 0, NAN);
         charge_residual(w, i);
         int filled = 1, undefined = 0, infinite = 0;

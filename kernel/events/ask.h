@@ -29,17 +29,6 @@ typedef struct pm_ask_set {
     void *quadrature;             /* gsl_integration_workspace */
 } pm_ask_set;
 
-/* 1: it watches the whole run, and not its end or events alone. */
-static inline int pm_ask_watches(const int32_t *e)
-{
-    return e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] != PM_ASK_EACH;
-}
-static inline int pm_ask_is_integral(const int32_t *e) { return e[PM_ASK_KIND] >= PM_ASK_INTEGRAL; }
-static inline int pm_ask_is_extreme(const int32_t *e)
-{
-    return pm_ask_watches(e) && !pm_ask_is_integral(e) && e[PM_ASK_KIND] != PM_ASK_GRID;
-}
-
 int pm_ask_create(pm_workspace *w);
 void pm_ask_reset(pm_workspace *w);
 

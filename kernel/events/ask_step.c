@@ -84,12 +84,12 @@ static int offer_end(pm_workspace *w)
 {
     int counts = 0;
     for (int i = 0; i < w->ask->nobserver && !counts; i++)
-        counts = pm_ask_is_extreme(PM_ASK_ROW(w->model, w->ask->observer[i])) &&
+        counts = pm_model_ask_is_extreme(PM_ASK_ROW(w->model, w->ask->observer[i])) &&
                  pm_extremum_end_counts(w, w->ask->observer[i]);
     const int status = counts ? pm_ask_look(w, w->step.end, 1) : PM_OK;
     for (int i = 0; i < w->ask->nobserver && !status && counts; i++) {
         const int ask = w->ask->observer[i];
-        if (pm_ask_is_extreme(PM_ASK_ROW(w->model, ask))) pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
+        if (pm_model_ask_is_extreme(PM_ASK_ROW(w->model, ask))) pm_ask_offer(w, ask, pm_ask_run(w, ask), 0);
     }
     return status;
 }
@@ -103,9 +103,9 @@ int pm_ask_step(pm_workspace *w)
     for (int i = 0; i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
-        const int status = pm_ask_is_integral(e)  ? pm_integral_step(w, ask)
-                           : pm_ask_is_extreme(e) ? pm_extremum_take(w, ask)
-                                                  : grid_in_step(w, ask);
+        const int status = pm_model_ask_is_integral(e)  ? pm_integral_step(w, ask)
+                           : pm_model_ask_is_extreme(e) ? pm_extremum_take(w, ask)
+                                                        : grid_in_step(w, ask);
         if (status) return status;
     }
     return PM_OK;

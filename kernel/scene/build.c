@@ -122,8 +122,8 @@ static void look_at_programs(pm_model *m)
     m->programs.wait_for_counts = m->programs.watch_counts;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
-        if (e[PM_ASK_KIND] < PM_ASK_MAX || e[PM_ASK_KIND] == PM_ASK_EACH) continue;
-        m->programs.integrals |= e[PM_ASK_KIND] >= PM_ASK_INTEGRAL;
+        if (!pm_model_ask_watches(e)) continue;
+        m->programs.integrals |= pm_model_ask_is_integral(e);
         look_at_watched(m, e[PM_ASK_PROGRAM]);
         if (e[PM_ASK_PROGRAM_2] >= 0) look_at_watched(m, e[PM_ASK_PROGRAM_2]);
     }

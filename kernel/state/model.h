@@ -104,6 +104,18 @@ static inline const int32_t *pm_model_row(const pm_model *m, int table, int row,
 #define PM_ACTION_ROW(m, i) pm_model_row(m, PM_TABLE_ACTION, i, PM_ACTION_COLUMNS)
 #define PM_SETTING(m, column) ((m)->table[PM_TABLE_SETTING][column])
 
+/* Kinds of an ask, by its row.  It watches the whole run, and not its end or events alone; it sums over the time of the run; it
+ * is the greatest or least value. */
+static inline int pm_model_ask_watches(const int32_t *e)
+{
+    return e[PM_ASK_KIND] >= PM_ASK_MAX && e[PM_ASK_KIND] != PM_ASK_EACH;
+}
+static inline int pm_model_ask_is_integral(const int32_t *e) { return e[PM_ASK_KIND] >= PM_ASK_INTEGRAL; }
+static inline int pm_model_ask_is_extreme(const int32_t *e)
+{
+    return pm_model_ask_watches(e) && !pm_model_ask_is_integral(e) && e[PM_ASK_KIND] != PM_ASK_GRID;
+}
+
 /* Place of a joint, contact or force among the elements. */
 static inline int pm_model_element(const pm_model *m, int table, int row)
 {

@@ -51,7 +51,8 @@ static int create(pm_workspace *w)
     if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *row = PM_ASK_ROW(m, i);
-        e->discrete[i] = !pm_ask_is_integral(row) && pm_program_class_is_discrete(m, row[PM_ASK_PROGRAM]);
+        e->discrete[i] =
+            !pm_model_ask_is_integral(row) && pm_program_class_is_discrete(m, row[PM_ASK_PROGRAM]);
     }
     w->evidence.discrete = e->discrete;
     w->evidence.by_places = pm_path_error_by_places(m);

@@ -76,7 +76,7 @@ static void judge_found(const pm_workspace *w, double share, double *error)
                                                fmax(PM_ACCURACY_CLAIMED, resolution) * fabs(found[i]));
     for (int i = 0; i < w->model->nask; i++) {
         const int32_t *row = PM_ASK_ROW(w->model, i);
-        if (e->discrete[i] || pm_ask_is_integral(row) ||
+        if (e->discrete[i] || pm_model_ask_is_integral(row) ||
             w->model->programs.class[row[PM_ASK_PROGRAM]] != PM_CLASS_CONSTANT)
             continue;
         const int out = row[PM_ASK_OUT];

@@ -172,7 +172,7 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
     if (look_at_programs(w, &w->probe, x->ask, x->trigger)) return;
     for (int i = 0; i < nask; i++) x->ask[i] = size_of(x->ask[i], ask[i], part);
     for (int i = 0; i < nask; i++)
-        if (pm_ask_is_integral(PM_ASK_ROW(w->model, i))) take_integral(w, x, i);
+        if (pm_model_ask_is_integral(PM_ASK_ROW(w->model, i))) take_integral(w, x, i);
     add_derived(w, x);
     for (int i = 0; i < ntrigger; i++) x->trigger[i] = size_of(x->trigger[i], trigger[i], part);
 }
