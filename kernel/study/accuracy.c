@@ -14,6 +14,7 @@
 #include "study/accuracy.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "events/ask.h"
@@ -29,26 +30,37 @@
 #include "study/find.h"
 #include "study/judge.h"
 
+/* The logs are long and mostly stay empty: nobody writes zeros into them. */
+static int create_logs(pm_workspace *w)
+{
+    if (!PM_SETTING(w->model, PM_SETTING_ESTIMATE)) return PM_OK;
+    for (int i = 0; i < 3; i++) {
+        pm_evidence_decision *const entry = malloc(PM_DECISIONS * sizeof *entry);
+        if (pm_arena_keep(&w->memory, entry, free)) return PM_NO_MEMORY;
+        w->accuracy->pass[i].log.entry = entry;
+    }
+    return PM_OK;
+}
+
 static int create(pm_workspace *w)
 {
     const pm_model *m = w->model;
     if (PM_ARENA_NEW(&w->memory, w->accuracy)) return PM_NO_MEMORY;
     pm_accuracy *e = w->accuracy;
-    const int ntrigger = m->rows[PM_TABLE_TRIGGER],
-              kept = PM_SETTING(m, PM_SETTING_ESTIMATE) ? PM_DECISIONS : 0;
+    const int ntrigger = m->rows[PM_TABLE_TRIGGER];
     pm_pass *const p = e->pass;
 #define OF_EACH_PASS(array, count) \
     PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
     const pm_array array[] = {
-        OF_EACH_PASS(out, m->nout),       OF_EACH_PASS(error, m->nout),
-        OF_EACH_PASS(more, m->nout),      OF_EACH_PASS(extreme, 2 * ntrigger),
-        OF_EACH_PASS(reason, m->nask),    OF_EACH_PASS(log.entry, kept),
-        PM_ARRAY(e->size.ask, m->nask),   PM_ARRAY(e->size.trigger, ntrigger),
-        PM_ARRAY(e->size.terms, m->nask), PM_ARRAY(e->size.largest, m->nask),
-        PM_ARRAY(e->kept, m->nout),       PM_ARRAY(e->discrete, m->nask),
+        OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),
+        OF_EACH_PASS(more, m->nout),         OF_EACH_PASS(extreme, 2 * ntrigger),
+        OF_EACH_PASS(reason, m->nask),       PM_ARRAY(e->size.ask, m->nask),
+        PM_ARRAY(e->size.trigger, ntrigger), PM_ARRAY(e->size.terms, m->nask),
+        PM_ARRAY(e->size.largest, m->nask),  PM_ARRAY(e->kept, m->nout),
+        PM_ARRAY(e->discrete, m->nask),
     };
 #undef OF_EACH_PASS
-    if (pm_arena_take(&w->memory, PM_ARRAYS(array))) return PM_NO_MEMORY;
+    if (pm_arena_take(&w->memory, PM_ARRAYS(array)) || create_logs(w)) return PM_NO_MEMORY;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *row = PM_ASK_ROW(m, i);
         e->discrete[i] =
