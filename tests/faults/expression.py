@@ -108,8 +108,14 @@ FAULTS = [
     Fault(
         "tables: a rate is that of the argument",
         "expression/program_rate.c",
-        "derivative[0] * a->rate",
-        "a->rate",
+        "(pm_shape){derivative[0], derivative[1]}",
+        "(pm_shape){1, derivative[1]}",
+    ),
+    Fault(
+        "tables: what reads one along a line does not bend",
+        "expression/program_rate.c",
+        "(pm_shape){derivative[0], derivative[1]}",
+        "(pm_shape){derivative[0], 0}",
     ),
     Fault(
         "enclosure: a table bends by its argument alone",
