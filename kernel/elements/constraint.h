@@ -91,6 +91,8 @@ int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint
                          pm_constraint c[PM_JOINT_CONSTRAINTS]);
 /* The same, whether the joint is there or not. */
 int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint c[PM_JOINT_CONSTRAINTS]);
+/* The normal constraints of all contacts, with the numbers of the case: pm_contact_constraint_normal copies them. */
+void pm_contact_compose(const pm_frame *frame);
 /* The normal constraint alone of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
                                   pm_constraint *normal);
@@ -172,8 +174,8 @@ double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);
-/* Circle and member of a pattern. */
-void pm_constraint_marks_member(const pm_frame *frame, pm_constraint *c, int circle, int of, int member);
+/* A circle and member 0 of a pattern. */
+void pm_constraint_marks_pattern(const pm_frame *frame, pm_constraint *c, int circle, int of);
 
 /* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
 static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }

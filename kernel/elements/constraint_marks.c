@@ -81,11 +81,9 @@ void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, 
     c->radius_b = sense_b * frame->numbers->value[eb[PM_CIRCLE_RADIUS]];
 }
 
-void pm_constraint_marks_member(const pm_frame *frame, pm_constraint *c, int circle, int of, int member)
+void pm_constraint_marks_pattern(const pm_frame *frame, pm_constraint *c, int circle, int of)
 {
     const int32_t *ec = PM_CIRCLE_ROW(frame->model, circle), *er = PM_PATTERN_ROW(frame->model, of);
     pm_constraint_marks_points(frame, c, ec[PM_CIRCLE_POINT], er[PM_PATTERN_POINT]);
-    c->b[0] += member * frame->numbers->value[er[PM_PATTERN_STEP_X]];
-    c->b[1] += member * frame->numbers->value[er[PM_PATTERN_STEP_Y]];
     pm_constraint_marks_radii(c, frame->numbers->value[ec[PM_CIRCLE_RADIUS]], 0, 1);
 }

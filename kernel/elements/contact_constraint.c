@@ -5,28 +5,16 @@
 
 static int memory_of(const pm_model *m, int slot) { return m->nmemory - m->nslot + slot; }
 
-static void corner_of_segment(const pm_frame *frame, pm_constraint *c, int contact, int member)
+/* The normal constraint with the face of a segment, or member 0 of a pattern, as its partner. */
+static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
 {
-    pm_edge_corner(frame, contact, member, c->b);
-    pm_constraint_marks_radii(c, c->radius_a, 0, 1);
-}
-
-void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
-                                  pm_constraint *normal)
-{
-    const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     const int a = e[PM_CONTACT_A], b = e[PM_CONTACT_B];
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE:
+    case PM_CONTACT_SEGMENT:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_LINE_NORMAL);
         pm_constraint_marks_circle_and_line(frame, normal, a, b);
-        break;
-    case PM_CONTACT_SEGMENT:
-        *normal = pm_constraint_marks_blank(member == PM_SEGMENT_FACE ? PM_CONSTRAINT_LINE_NORMAL
-                                                                      : PM_CONSTRAINT_DISTANCE);
-        pm_constraint_marks_circle_and_line(frame, normal, a, b);
-        if (member != PM_SEGMENT_FACE) corner_of_segment(frame, normal, contact, member);
         break;
     case PM_CONTACT_CIRCLE:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
@@ -43,11 +31,46 @@ void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, 
     case PM_CONTACT_PATTERN:
     case PM_CONTACT_KINDS:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
-        pm_constraint_marks_member(frame, normal, a, b, member);
+        pm_constraint_marks_pattern(frame, normal, a, b);
         break;
     }
+}
+
+void pm_contact_compose(const pm_frame *frame)
+{
+    for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++)
+        compose(frame, i, frame->numbers->of_contact + i);
+}
+
+static void corner_of_segment(const pm_frame *frame, pm_constraint *c, int contact, int member)
+{
+    c->kind = PM_CONSTRAINT_DISTANCE;
+    pm_edge_corner(frame, contact, member, c->b);
+    pm_constraint_marks_radii(c, c->radius_a, 0, 1);
+}
+
+static void member_of_pattern(const pm_frame *frame, pm_constraint *c, int of, int member)
+{
+    const int32_t *e = PM_PATTERN_ROW(frame->model, of);
+    c->b[0] += member * frame->numbers->value[e[PM_PATTERN_STEP_X]];
+    c->b[1] += member * frame->numbers->value[e[PM_PATTERN_STEP_Y]];
+}
+
+void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
+                                  pm_constraint *normal)
+{
+    const pm_model *m = frame->model;
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    *normal = frame->numbers->of_contact[contact];
     normal->slot = slot;
-    if (normal->kind == PM_CONSTRAINT_STRAND) normal->memory = memory_of(m, slot);
+    switch (e[PM_CONTACT_KIND]) {
+    case PM_CONTACT_SEGMENT:
+        if (member != PM_SEGMENT_FACE) corner_of_segment(frame, normal, contact, member);
+        break;
+    case PM_CONTACT_CORD: normal->memory = memory_of(m, slot); break;
+    case PM_CONTACT_PATTERN: member_of_pattern(frame, normal, e[PM_CONTACT_B], member); break;
+    default: break;
+    }
 }
 
 void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_constraint *normal,

@@ -326,6 +326,7 @@ int pm_case_begin(pm_workspace *w, const double *param)
     if (!status) status = check_elements(w);
     if (status) return status;
     pm_joint_compose(&w->frame);
+    pm_contact_compose(&w->frame);
     pm_program_numbers(w);
     set_size(&w->frame, &w->numbers);
     w->numbers.speed = 0;

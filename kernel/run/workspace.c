@@ -43,6 +43,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->numbers.light, nq),
         PM_ARRAY(w->reach.hinge, m->nbody + 1),
         PM_ARRAY(w->numbers.of_joint, m->njoint_constraint),
+        PM_ARRAY(w->numbers.of_contact, m->rows[PM_TABLE_CONTACT]),
         PM_ARRAY(w->active.constraint, nconstraint + 1),
         PM_ARRAY(w->active.of_joint, m->njoint_constraint),
         PM_ARRAY(w->active.slot_normal, m->nslot),

@@ -29,11 +29,12 @@ typedef struct pm_numbers {
     int massless; /* some coordinate has such */
     double gravity[2]; /* m/s^2 */
     pm_turning_plane plane;
-    struct pm_constraint *of_joint; /* [njoint_constraint] constraints of all joints (elements/joint.h) */
-    double size;                    /* m, length scale of the scene */
-    double speed;                   /* m/s, speed scale; grows with the motion */
-    double accuracy;                /* relative, asked of the answers */
-    double tolerance;               /* relative, of integration */
+    struct pm_constraint *of_joint;   /* [njoint_constraint] constraints of all joints (elements/joint.h) */
+    struct pm_constraint *of_contact; /* [ncontact] their normal constraints (elements/constraint.h) */
+    double size;                      /* m, length scale of the scene */
+    double speed;                     /* m/s, speed scale; grows with the motion */
+    double accuracy;                  /* relative, asked of the answers */
+    double tolerance;                 /* relative, of integration */
     double
         coarse; /* factor on steps and on what counts as nothing: 1, but in a coarse run (study/accuracy.h) */
 } pm_numbers;
