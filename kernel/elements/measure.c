@@ -75,6 +75,11 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_EVENT_TIME] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_time},
     [PM_MEASURE_EVENT_SIDE] = {EVENT, MOTION, UNKNOWN, 0, 0, .scalar = pm_measured_event_side},
     [PM_MEASURE_PLACE] = {NOTHING, PLACE, SAME, NO_DEGREE, 0, .scalar = pm_measured_place},
+    [PM_MEASURE_MODE_OMEGA] = {NOTHING, MOTION, UNKNOWN, NO_DEGREE, 0,
+                                   .scalar = pm_measured_mode_omega},
+    [PM_MEASURE_MODE_DAMPING] = {NOTHING, MOTION, UNKNOWN, NO_DEGREE, 0, .scalar = pm_measured_mode_damping},
+    [PM_MEASURE_MODES_COUNT] = {NOTHING, MOTION, UNKNOWN, NO_DEGREE, 0, .scalar = pm_measured_modes_count},
+    [PM_MEASURE_MODES_GROWTH] = {NOTHING, MOTION, UNKNOWN, NO_DEGREE, 0, .scalar = pm_measured_modes_growth},
     [PM_MEASURE_POTENTIAL] = {NOTHING, PLACE, SAME, 2, OF_ALL, .scalar = pm_measured_potential},
     [PM_MEASURE_TOTAL] = {NOTHING, MOTION, LINEAR, 2, OF_ALL, .scalar = pm_measured_total},
     [PM_MEASURE_LOST] = {NOTHING, MOTION, UNKNOWN, 0, OF_ALL, .scalar = pm_measured_lost},
@@ -190,6 +195,9 @@ static int validate(const pm_model *m, int i, pm_where *where)
         return pm_bad_table(where, PM_TABLE_MEASURE, i, part, PM_PARTS);
     if (part == PM_PART_ALONG && e[PM_MEASURE_VALUE] < 0)
         return pm_bad_table(where, PM_TABLE_MEASURE, i, e[PM_MEASURE_VALUE], 0);
+    const int of_mode = kind == PM_MEASURE_MODE_OMEGA || kind == PM_MEASURE_MODE_DAMPING;
+    if (of_mode && e[PM_MEASURE_MEMBER] < 1)
+        return pm_bad_table(where, PM_TABLE_MEASURE, i, e[PM_MEASURE_MEMBER], 1);
     if (ops->of == PM_TABLE_JOINT && !joint_has(m, kind, a))
         return pm_bad_table(where, PM_TABLE_MEASURE, i, PM_JOINT_ROW(m, a)[PM_JOINT_KIND], PM_JOINT_KINDS);
     return PM_OK;

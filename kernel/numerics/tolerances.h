@@ -141,6 +141,9 @@
 /* ---- tree ---- */
 #define PM_FACTORS_STAY \
     1e-8 /* of size or speed: a correction this small keeps the factors; larger: a sweep more */
+#define PM_MODE_NOTHING 1e-11 /* of the fastest mode, squared frequencies and rates of growth: what differences cannot tell from zero; larger: soft modes are lost */
+#define PM_MODE_SAME 1e-8 /* of a frequency: two that are the same; larger: the order of modes is that of their damping */
+#define PM_MODE_CONFIRMED 1e-6 /* of the fastest mode: two lengths of differences agree; larger: modes where the scene is not smooth */
 #define PM_LOOP_SWEEPS 20 /* Newton steps of the dependent coordinates; more, and a shorter step is better */
 #define PM_LOOP_FINEST 4e-16 /* of size and speed: near a singular position what is left is amplified */
 #define PM_LOOP_STALLED \

@@ -27,6 +27,7 @@
 #include "routes/start/perturbation.h"
 #include "state/evidence.h"
 #include "state/frame.h"
+#include "state/modes.h"
 #include "state/route.h"
 #include "state/workspace.h"
 
@@ -58,6 +59,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     memset(w->impulses.friction, 0, (size_t)w->model->nfriction * sizeof(double));
     memset(w->impulses.slot, 0, 2 * (size_t)w->model->nslot * sizeof(double));
     w->impulses.nshared = 0;
+    if (w->frame.modes) w->frame.modes->known = 0;
     int status = pm_case_begin(w, param);
     if (!status) pm_patience_limit(&w->patience, pm_case_max_cpu(w->model, &w->numbers));
     if (!status) pm_time_course_begin(w);

@@ -25,6 +25,7 @@
 #include "state/arena.h"
 #include "state/route.h"
 #include "state/workspace.h"
+#include "tree/small_motion.h"
 #include "tree/tree.h"
 
 /* The arrays of the parts of the workspace; those of the rooms are theirs. */
@@ -131,6 +132,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_motion_course_create(w);
     if (!status) status = pm_impact_create(w);
     if (!status) status = pm_tree_create(w);
+    if (!status) status = pm_small_motion_create(w);
     if (!status) status = pm_repeat_create(w);
     if (!status) status = pm_routes_create(w);
     if (!status) status = pm_perturbation_create(w);

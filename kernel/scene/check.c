@@ -169,6 +169,35 @@ static int check_curves(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
+/* Modes are those of an instant: what reads them answers an ask at the end or at an event, and is for nothing else. */
+static int is_of_modes(const pm_model *m, int measure)
+{
+    const int kind = PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND];
+    return kind >= PM_MEASURE_MODE_OMEGA && kind <= PM_MEASURE_MODES_GROWTH;
+}
+
+static int check_modes_of(const pm_model *m, int table, int row, pm_where *where)
+{
+    pm_reference of[PM_REFERENCES];
+    const int n = pm_reference_of(m, table, row, of);
+    for (int k = 0; k < n; k++) {
+        if (of[k].of != PM_TABLE_PROGRAM || pm_program_reads(m, of[k].index, is_of_modes) == PM_NONE)
+            continue;
+        if (table != PM_TABLE_ASK || of[k].column != PM_ASK_PROGRAM ||
+            pm_model_ask_watches(PM_ASK_ROW(m, row)))
+            return pm_bad_table(where, table, row, of[k].index, PM_NONE);
+    }
+    return PM_OK;
+}
+
+static int check_modes(const pm_model *m, pm_where *where)
+{
+    int status = PM_OK;
+    for (int table = 0; table < PM_TABLES; table++)
+        for (int i = 0; !status && i < m->rows[table]; i++) status = check_modes_of(m, table, i, where);
+    return status;
+}
+
 /* A force's program may not use what must itself be computed from forces: accelerations, reactions, other programs'. */
 static int check_forces(const pm_model *m, pm_where *where)
 {
@@ -348,6 +377,7 @@ int pm_check_tables(pm_model *m, pm_where *where)
     if (!status) status = pm_program_validate(m, where);
     if (!status) status = check_forces(m, where); /* look into programs */
     if (!status) status = check_curves(m, where);
+    if (!status) status = check_modes(m, where);
     if (!status) status = check_drives(m, where);
     if (!status) status = check_spin(m, where);
     if (!status) status = check_impulses(m, where);

@@ -26,6 +26,8 @@ typedef struct pm_frame {
     double *power;    /* [nforce] of forces without potential */
     double *a;        /* [nq] accelerations */
     double *lambda;   /* [nconstraint] reactions of the active constraints */
+    struct pm_modes
+        *modes; /* of small motion about the state (state/modes.h); NULL where nothing asks for them */
 } pm_frame;
 
 /* The time, s, at which programs of forces and drives are run. */

@@ -144,4 +144,35 @@ FAULTS = [
         "return c->body[1] == model->nbody;",
         "return 1;",
     ),
+    Fault(
+        "modes: along the rows of the loops",
+        "tree/small_motion.c",
+        "sum += x->basis[i * x->n + x->nloop + k] * s[k];",
+        "sum += x->basis[i * x->n + k] * s[k];",
+    ),
+    Fault(
+        "modes: no damping",
+        "tree/small_motion.c",
+        "x->matrix[(f + k) * n + by] = x->change[k]",
+        "x->matrix[(f + k) * n + by] = by < f ? x->change[k] : 0",
+    ),
+    Fault("modes: nothing is nothing", "tree/small_motion.c", "    clean(root, n, rate);\n", ""),
+    Fault(
+        "modes: the frame stays elsewhere",
+        "tree/small_motion.c",
+        "    pm_frame_look_state(&w->frame, &w->state);\n    if (level",
+        "    if (level",
+    ),
+    Fault(
+        "modes: the tree of the phase",
+        "tree/small_motion.c",
+        "    x->tree = w->tree;\n    w->tree = of_phase;",
+        "    x->tree = of_phase;\n    w->tree = of_phase;",
+    ),
+    Fault(
+        "modes: both of a pair",
+        "tree/small_motion.c",
+        "if (GSL_IMAG(root[i]) < 0) continue;",
+        "if (GSL_IMAG(root[i]) < -1e99) continue;",
+    ),
 ]

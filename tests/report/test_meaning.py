@@ -54,6 +54,7 @@ WORDS: Mapping[str, Mapping[str, set[str]]] = {
         "event": set(words.EVENT_QUANTITIES),
         "energy": set(words.ENERGIES),
         "spin": set(words.SPIN_QUANTITIES),
+        "modes": {*words.MODE_QUANTITIES, *words.MODES_QUANTITIES},
         "scene": set(words.SCENE_QUANTITIES),
     },
     "words": {
@@ -132,6 +133,8 @@ ELSEWHERE = {
     "coupling.couple": "motor.couple",
     "scene.energy": "energy.total",
     "scene.spin": "spin.omega / (1 rad/s)",
+    "scene.modes": "modes.count",
+    **{f"modes.{word}": f"modes[1].{word}" for word in words.MODE_QUANTITIES},
 }
 
 

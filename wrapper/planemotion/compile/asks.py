@@ -87,7 +87,9 @@ class Asks:
         """
         path = f"ask.{key}"
         word = ask.word
-        reading = self._read(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
+        at_instant = word == "of" and not isinstance(ask.at, At)
+        with self.measures.of_instant(at_instant):
+            reading = self._read(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
         if word in ASK_INTEGRALS:
             reading, row, count = *self._over_time(ask, reading, path), 1
         else:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from math import pi
 
 from .. import _layout as layout
 from ..base.errors import SceneError
@@ -29,7 +30,7 @@ from ..language.dimensions import (
 )
 from ..language.homogeneity import dimension
 from ..language.leaves import Leaf, substitute
-from ..language.tree import Name, Node
+from ..language.tree import Name, Node, sqrt
 from ..model import words
 from ..model.readers import Value
 from .measure_bodies import BodyMeasures
@@ -48,6 +49,12 @@ _SPIN: dict[str, tuple[int, Dimension]] = {
     "momentum": (layout.PM_MEASURE_SPIN_MOMENTUM, ANGULAR_MOMENTUM),
     "inertia": (layout.PM_MEASURE_SPIN_INERTIA, INERTIA),
 }
+_MODES: dict[str, tuple[int, Dimension]] = {
+    "omega": (layout.PM_MEASURE_MODE_OMEGA, ANGULAR_VELOCITY),
+    "damping": (layout.PM_MEASURE_MODE_DAMPING, DIMENSIONLESS),
+    "count": (layout.PM_MEASURE_MODES_COUNT, DIMENSIONLESS),
+    "growth": (layout.PM_MEASURE_MODES_GROWTH, ANGULAR_VELOCITY),
+}
 
 
 class Measures:
@@ -64,6 +71,7 @@ class Measures:
         self._elements = ElementMeasures(self.rows)
         self._readings: dict[Leaf, Reading] = {}
         self._answers: Mapping[str, Reading] = {}
+        self._of_instant = False
 
     @contextmanager
     def answered(self, answers: Mapping[str, Reading]) -> Iterator[None]:
@@ -73,6 +81,15 @@ class Measures:
             yield
         finally:
             self._answers = {}
+
+    @contextmanager
+    def of_instant(self, at_instant: bool) -> Iterator[None]:
+        """Meanwhile expressions are read at the end or at events alone, or all along."""
+        self._of_instant = at_instant
+        try:
+            yield
+        finally:
+            self._of_instant = False
 
     def lower(self, written: Value | Node, where: str) -> Reading:
         """An expression over measures and parameters, made one over the kernel's leaves.
@@ -115,6 +132,9 @@ class Measures:
         """What an address stands for.  Raises SceneError naming the word that is wrong."""
         if isinstance(leaf, Name) and leaf.text in self._answers:
             return self._answers[leaf.text]
+        if isinstance(leaf, Address) and leaf.thing == "modes" and not self._of_instant:
+            reason = "modes are those of an instant: ask for them at the end or at an event"
+            raise SceneError(f'"{leaf}": {reason}')
         if leaf not in self._readings:
             address = leaf if isinstance(leaf, Address) else Address(leaf.text)
             self._readings[leaf] = self._read(address)
@@ -162,6 +182,8 @@ class Measures:
                     raise SceneError(f'"{address}": the scene has no [spin]')
                 kind, found = _SPIN[self.rows.quantity(address, words.SPIN_QUANTITIES, "the spin")]
                 return Reading(self.rows.leaf(kind, layout.PM_NONE, address), found)
+            case "modes":
+                return self._modes(address)
             case "weight":
                 self.rows.ends(address, 0)
                 self.rows.plain(address, ())
@@ -176,3 +198,24 @@ class Measures:
         self.rows.need_masses(self.drawing.bodies)
         leaf = self.rows.leaf(layout.PM_MEASURE_ANGULAR_MOMENTUM, layout.PM_NONE, address)
         return Reading(leaf, ANGULAR_MOMENTUM)
+
+    def _modes(self, address: Address) -> Reading:
+        """Of one mode of small motion, or of all of them."""
+        self.rows.ends(address, 1)
+        known = words.MODES_QUANTITIES if address.member is None else words.MODE_QUANTITIES
+        word = address.path[0] if address.path else ""
+        if address.member is None and word in words.MODE_QUANTITIES:
+            raise SceneError(f'"{address}": which mode? The slowest is modes[1].{word}')
+        if address.member is not None and address.member < 1:
+            raise SceneError(f'"{address}": modes are counted from 1')
+        self.rows.need_masses(self.drawing.bodies)
+        if word == "period":
+            omega, damping = (self._of_mode(address, one)[0] for one in ("omega", "damping"))
+            return Reading(2 * pi / (omega * sqrt(1 - damping * damping)), TIME)
+        leaf, found = self._of_mode(address, self.rows.word(address, known, "a mode"))
+        return Reading(leaf, found)
+
+    def _of_mode(self, address: Address, word: str) -> tuple[Node, Dimension]:
+        kind, found = _MODES[word]
+        member = layout.PM_NONE if address.member is None else address.member
+        return self.rows.leaf(kind, layout.PM_NONE, address, member=member), found

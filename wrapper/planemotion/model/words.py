@@ -43,7 +43,9 @@ FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "stretch_rate
 EVENT_QUANTITIES = ("count", "time")
 ENERGIES = ("kinetic", "potential", "total", "lost")
 SPIN_QUANTITIES = ("omega", "angle", "momentum", "inertia")
-SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum", "spin")
+MODE_QUANTITIES = ("omega", "damping", "period")  # of one mode of small motion
+MODES_QUANTITIES = ("count", "growth")  # of all of them
+SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum", "spin", "modes")
 PARTS = ("x", "y", "norm", "angle")
 
 # What an element or parameter cannot be called: the words would mean two things.

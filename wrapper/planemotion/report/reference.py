@@ -43,6 +43,7 @@ _MEASURES = {
     "event": "Of an event: `EVENT.WORD`",
     "energy": "Of the scene: `energy.WORD`",
     "spin": "Of a plane that turns: `spin.WORD`",
+    "modes": "Of small motion about an instant: `modes.WORD`, of one mode `modes[1].WORD`",
     "scene": "Of the scene: `WORD`",
 }
 _WORDS = {
