@@ -222,8 +222,7 @@ enum pm_measure_kind {
                of PM_EFFECT_PIECE: the piece in which its argument lies */
     PM_MEASURE_JOINT_POWER = 48, /* of what drives the joint: its reactions times the rates prescribed */
     PM_MEASURE_PLACE = 49,       /* s of a curve: in its programs alone */
-    PM_MEASURE_MODE_OMEGA =
-        50, /* of small motion: mode number `member`, from 1; in asks at instants alone */
+    PM_MEASURE_MODE_OMEGA = 50, /* of small motion: mode number `member`, from 1; in asks at instants alone */
     PM_MEASURE_MODE_DAMPING = 51,
     PM_MEASURE_MODES_COUNT = 52,
     PM_MEASURE_MODES_GROWTH = 53, /* > 0: small motion grows */

@@ -38,8 +38,7 @@ pm_scalar pm_measured_force_couple, pm_measured_force_work, pm_measured_force_po
     pm_measured_spin_momentum, pm_measured_spin_inertia, pm_measured_place;
 pm_vector pm_measured_force_force;
 /* measure_modes.c */
-pm_scalar pm_measured_mode_omega, pm_measured_mode_damping, pm_measured_modes_count,
-    pm_measured_modes_growth;
+pm_scalar pm_measured_mode_omega, pm_measured_mode_damping, pm_measured_modes_count, pm_measured_modes_growth;
 
 /* The least coefficient of friction with which it holds, with the sign of the friction; not a number where nothing presses. */
 static inline double pm_measured_needed(double normal, double friction)
