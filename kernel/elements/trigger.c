@@ -29,9 +29,12 @@ double pm_trigger_count(const pm_firing *firing, int event)
     return count >= PM_COUNTLESS ? INFINITY : (double)count;
 }
 
-void pm_trigger_countless(pm_firing *firing, int event, double t)
+void pm_trigger_countless(const pm_model *model, pm_firing *firing, int event, double t)
 {
-    firing->count[event] = PM_COUNTLESS;
+    const int once = PM_EVENT_ROW(model, event)[PM_EVENT_NTH] > 0;
+    if (once && firing->count[event] > 0) return;
+    firing->seen[event] = PM_COUNTLESS;
+    firing->count[event] = once ? 1 : PM_COUNTLESS;
     firing->time[event] = t;
 }
 
@@ -40,7 +43,7 @@ void pm_trigger_countless_strikes(pm_workspace *w, int contact)
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         if (e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == contact)
-            pm_trigger_countless(&w->firing, e[PM_TRIGGER_EVENT], w->state.t);
+            pm_trigger_countless(w->model, &w->firing, e[PM_TRIGGER_EVENT], w->state.t);
     }
 }
 

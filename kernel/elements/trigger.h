@@ -42,8 +42,9 @@ void pm_trigger_look_after(pm_workspace *w);
 void pm_trigger_mark(const pm_model *model, pm_firing *firing, int kind, int contact);
 /* Marks what fires at the start: triggers of it, and those on time that are due then. */
 void pm_trigger_mark_start(pm_workspace *w);
-/* The event has fired infinitely often until time t; all events of a contact that has been struck so, until now. */
-void pm_trigger_countless(pm_firing *firing, int event, double t);
+/* What the event waits for has happened infinitely often until time t: so it has fired, or once if it fires at the nth time
+ * alone; all events of a contact that has been struck so, until now. */
+void pm_trigger_countless(const pm_model *model, pm_firing *firing, int event, double t);
 void pm_trigger_countless_strikes(pm_workspace *w, int contact);
 /* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
 void pm_trigger_next_blow(const pm_model *model, pm_firing *firing);

@@ -55,7 +55,9 @@ static double change(pm_workspace *w, int program, shift *by, int i, int entry, 
     if (!by(w, i, entry, size)) return 0;
     const double after = pm_program_run(w, program);
     by(w, i, entry, -size);
-    return isnan(after) && isnan(before) ? 0 : after - before;
+    const int same =
+        after == before || (isnan(after) && isnan(before)); /* of infinite values no difference tells */
+    return same ? 0 : after - before;
 }
 
 /* No vector changes the value, beside what its entries do one by one. */

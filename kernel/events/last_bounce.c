@@ -25,16 +25,25 @@ static double cut_speed(const pm_workspace *w, double share)
 
 static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->numbers.size); }
 
-/* Below which rebounds are the last.  Where it is known how long a series goes on it is followed less far; and less far still
- * where the top of a bounce is an instant of its own, at which the contact must not touch. */
+/* Where the top of a bounce is an instant of its own the contact must not touch there. */
+static double at_least(const pm_workspace *w, double share)
+{
+    return w->phase.route->meets_places ? PM_LOWEST_TOP : share;
+}
+
+/* Below which rebounds are the last.  Where it is known how long a series goes on it is followed less far. */
 static double last_speed(const pm_workspace *w, int contact)
 {
     const double lost = PM_LAST_BOUNCE * far_off(w);
     if (!pm_bounce_series_is_settled(w, contact)) return cut_speed(w, lost);
-    return cut_speed(w, fmax(lost, w->phase.route->meets_places ? PM_LOWEST_TOP : PM_BOUNCE_SETTLED));
+    return cut_speed(w, fmax(lost, at_least(w, PM_BOUNCE_SETTLED)));
 }
 
-static double spent_speed(const pm_workspace *w) { return cut_speed(w, PM_BOUNCE_SPENT * far_off(w)); }
+static double spent_speed(const pm_workspace *w)
+{
+    const double lost = PM_BOUNCE_SPENT * far_off(w);
+    return cut_speed(w, fmax(lost, at_least(w, lost)));
+}
 
 static int is_resolved(const pm_workspace *w, int contact)
 {

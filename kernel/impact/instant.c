@@ -206,18 +206,6 @@ static int act(pm_workspace *w, int begins, int *ended)
     return status;
 }
 
-int pm_instant_jams(pm_workspace *w, int status)
-{
-    if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR) return status;
-    const int slot = pm_impact_jammed(w);
-    if (slot == PM_NONE) return status;
-    const int contact = pm_contact_of_slot(w->model, slot);
-    w->instant.jams = PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_PAINLEVE] == PM_PAINLEVE_STRIKES;
-    if (w->instant.jams) return PM_OK;
-    return pm_fail(&w->result, PM_PAINLEVE, PM_TABLE_CONTACT, contact, pm_contact_kinetic(&w->frame, contact),
-                   1);
-}
-
 int pm_instant_finish(pm_workspace *w, int *ended)
 {
     mark_rest(w);
@@ -279,6 +267,20 @@ static int contact_hit(const pm_workspace *w)
     return PM_NONE;
 }
 
+int pm_instant_jams(pm_workspace *w, int status)
+{
+    if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR &&
+        status != PM_ALTERNATES)
+        return status;
+    const int slot = pm_impact_jammed(w);
+    if (slot == PM_NONE) return status;
+    const int contact = pm_contact_of_slot(w->model, slot);
+    w->instant.jams = PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_PAINLEVE] == PM_PAINLEVE_STRIKES;
+    if (w->instant.jams) return PM_OK;
+    return pm_fail(&w->result, PM_PAINLEVE, PM_TABLE_CONTACT, contact, pm_contact_kinetic(&w->frame, contact),
+                   1);
+}
+
 /* Modes that change in turn lead nowhere where no time passes between their instants; a route along a path may keep no
  * time, and gets on if it has gone some way. */
 static int check_progress(pm_workspace *w)
@@ -290,7 +292,8 @@ static int check_progress(pm_workspace *w)
     }
     if (++w->instant.at_once < PM_INSTANTS_AT_ONCE) return PM_OK;
     const double many = (double)w->instant.at_once;
-    return pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_CONTACT, contact_hit(w), many, many);
+    const int status = pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_CONTACT, contact_hit(w), many, many);
+    return pm_instant_jams(w, status);
 }
 
 int pm_instant_full(pm_workspace *w, int *ended)

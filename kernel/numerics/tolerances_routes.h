@@ -182,6 +182,7 @@
 #define PM_UNIFORM_ROUNDING \
     1e-15 /* of the places of marks: a gap below it is closed; more: contacts close early */
 #define PM_UNIFORM_TIME_ROUNDING 4.5e-16 /* of a time: two roundings; more: roots less exact */
+#define PM_UNIFORM_TOGETHER 1e-12 /* of the time since the last blow: contacts that close so soon after the first close with it; less: by rounding the bounce of one of them is lost alone */
 #define PM_UNIFORM_REFINEMENTS 8         /* shorter intervals tried for a bound; more: slower */
 #define PM_UNIFORM_WIDER 4.0    /* of the step that was safe: the next interval; more: weaker bounds */
 #define PM_UNIFORM_SHORTER 0.01 /* the same where nothing was safe; more: more tries */

@@ -447,4 +447,10 @@ FAULTS = [
         "return before != 0 && after != before;",
         "return before * after < 0;",
     ),
+    Fault(
+        "event: what fires at the nth time fires without end",
+        "elements/trigger.c",
+        "firing->count[event] = once ? 1 : PM_COUNTLESS;",
+        "firing->count[event] = PM_COUNTLESS;",
+    ),
 ]

@@ -547,4 +547,10 @@ FAULTS = [
         "if (w->state.t - w->firing.jumped <= PM_TIME_ROUNDING * w->state.t)",
         "if (0)",
     ),
+    Fault(
+        "jump: rocking goes on where its top touches",
+        "events/last_bounce.c",
+        "return cut_speed(w, fmax(lost, at_least(w, lost)));",
+        "return cut_speed(w, lost);",
+    ),
 ]

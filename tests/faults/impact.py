@@ -752,4 +752,10 @@ FAULTS = [
         "if (row == PM_NONE) return PM_OK;",
         "return PM_OK;",
     ),
+    Fault(
+        "instant: what has no motion changes in turn",
+        "impact/instant.c",
+        "status != PM_SINGULAR && status != PM_ALTERNATES)",
+        "status != PM_SINGULAR)",
+    ),
 ]

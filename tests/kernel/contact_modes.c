@@ -268,6 +268,51 @@ static void slides_on_a_box(int side, int lower_first)
     scene_free(s);
 }
 
+/* ---- blocks that rock ---- */
+/* Let go on one edge it rocks to rest, without end in a finite time. */
+static void rocks_to_rest(int route, double tilt, double half_width, double half_height)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_ACCURACY, 1e-6);
+    const double c = cos(tilt), d = sin(tilt), side = tilt > 0 ? 1 : -1;
+    const int b =
+        scene_body(s, 3, half_width * half_width + half_height * half_height,
+                   half_width * c * side - half_height * d, half_width * fabs(d) + half_height * c, tilt);
+    int hit = PM_NONE;
+    for (int i = -1; i <= 1; i += 2) {
+        const int foot = scene_circle(s, scene_point(s, b, i * half_width, -half_height), 0);
+        const int k =
+            scene_contact(s, PM_CONTACT_LINE, foot, scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB, 0.9);
+        if (i == side) hit = scene_on(s, PM_TRIGGER_STRIKE, k);
+    }
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, hit));
+    const int turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, b));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(isinf(s->out[count]));
+    NEAR(s->out[turned], 0, 1e-9);
+    scene_free(s);
+}
+
+/* ---- a rod that comes to where friction draws it in ---- */
+/* It parts, or has no motion there; contacts that change in turn at one time are no answer. */
+static void comes_to_be_drawn(int route, double degrees, int side)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const double angle = degrees * acos(-1.) / 180, x = 0.5 * side * cos(angle), y = 0.5 * sin(angle);
+    const int b = scene_body(s, 1, 1 / 12., x, y, 0), foot = scene_point(s, b, -x, -y);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, foot, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB,
+                  1.6);
+    scene_start_velocity(s, foot, -4 * side, 0);
+    scene_start_omega(s, b, 2 * side);
+    scene_until_time(s, 0.1);
+    const int status = scene_run(s, NULL);
+    CHECK(status == PM_OK || status == PM_PAINLEVE);
+    scene_free(s);
+}
+
 int main(void)
 {
     slopes();
@@ -281,6 +326,13 @@ int main(void)
     leaves_a_circle(0.2, PM_FRICTION_ROUGH);
     ladder();
     crates();
+    for (int k = 0; k < 6; k++) {
+        const int route[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA}, side = k < 3 ? 1 : -1;
+        rocks_to_rest(route[k % 3], 0.17 * side, 0.1, 0.15);
+        rocks_to_rest(route[k % 3], 0.05 * side, 0.1, 0.4);
+        for (double degrees = 36; degrees < 38; degrees += 0.125)
+            comes_to_be_drawn(route[k % 3], degrees, side);
+    }
     for (int k = 0; k < 4; k++) slides_on_a_box(k % 2 ? 1 : -1, k / 2);
     return check_failures();
 }

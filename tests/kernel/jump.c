@@ -146,9 +146,31 @@ static void fires_without_end(void)
     scene_free(s);
 }
 
+/* It bounces without end: what waits for one of its blows fires once, whether that is computed or not. */
+static void strikes_without_end(int route)
+{
+    watch x = particle(route, 1, 0.5, 0);
+    scene *s = x.s;
+    int nth[] = {0, 3, 1000000}, count[3];
+    for (int i = 0; i < 3; i++) {
+        const int event = scene_on(s, PM_TRIGGER_STRIKE, x.contact);
+        s->cell[PM_TABLE_EVENT][event * PM_EVENT_COLUMNS + PM_EVENT_NTH] = nth[i];
+        count[i] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+        if (i == 1) x.first[0] = scene_ask_event(s, scene_read(s, scene_time(s)), event, 1, 0);
+    }
+    scene_until_time(s, 2);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(isinf(s->out[count[0]]));
+    EQUAL(s->out[count[1]], 1);
+    EQUAL(s->out[count[2]], 1);
+    NEAR(s->out[x.first[0]], sqrt(2 / G) * (1 + 2 * 0.5 + 2 * 0.25), 1e-9);
+    scene_free(s);
+}
+
 int main(void)
 {
     for (int route = 0; route < 3; route++) {
+        strikes_without_end(route);
         strikes_and_stays(route);
         slides_at_last(route);
         begins_with_a_blow(route);

@@ -134,6 +134,28 @@ static void pinned_twice(void)
     scene_free(s);
 }
 
+/* What has become infinite is the same for all distributions: the blows of a block that comes to rest on three feet. */
+static void blows_without_end(void)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+    const int b = scene_body(s, 2, 0.5, 0, 0.4, 0);
+    int hit = PM_NONE;
+    for (int k = -1; k < 2; k++) {
+        const int foot = scene_circle(s, scene_point(s, b, 0.3 * k, -0.2), 0);
+        const int c =
+            scene_contact(s, PM_CONTACT_LINE, foot, scene_floor(s, 0), 0, 0.3, PM_FRICTION_SMOOTH, 0);
+        if (k == 0) hit = scene_on(s, PM_TRIGGER_STRIKE, c);
+    }
+    scene_until_time(s, 1);
+    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, hit));
+    const int load = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, 0));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(isinf(s->out[count]));
+    CHECK(isnan(s->out[load]));
+    scene_free(s);
+}
+
 int main(void)
 {
     for (int k = 0; k < 3; k++) {
@@ -145,5 +167,6 @@ int main(void)
     give_way(0.9, 4);
     balance();
     pinned_twice();
+    blows_without_end();
     return check_failures();
 }

@@ -515,6 +515,32 @@ static void zeno_meets(void)
     scene_free(s);
 }
 
+/* A block that falls flat bounces on all its feet alike, however low, and does not turn. */
+static void bounces_flat(int reversed)
+{
+    const double e = 0.08;
+    scene *s = scene_create();
+    const int b = scene_body(s, 2, 0.05, 0, 0.5, 0);
+    for (int i = 0; i < 3; i++) {
+        const double x = 0.37 * (reversed ? 1 - i : i - 1);
+        const int foot = scene_circle(s, scene_point(s, b, x, -0.2), 0);
+        scene_contact(s, PM_CONTACT_LINE, foot, scene_floor(s, 0), 0, e, PM_FRICTION_SMOOTH, 0);
+    }
+    const int g = scene_point(s, b, 0, 0);
+    scene_start_velocity(s, g, 0.7, 0);
+    scene_until_time(s, 0.5);
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, b));
+    scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_measure(s, PM_MEASURE_OMEGA, b)), PM_NONE);
+    if (runs_uniformly(s)) {
+        NEAR(s->out[0], 0.7 * 0.5, CLOSE);
+        NEAR(s->out[1], 0, CLOSE);
+        NEAR(s->out[2], 0, CLOSE);
+        CHECK(s->count[PM_COUNT_JUMPS] > 8);
+    }
+    scene_free(s);
+}
+
 /* ---- runs without motion ---- */
 static void no_motion(void)
 {
@@ -561,6 +587,8 @@ int main(void)
     zeno_one_by_one();
     zeno_counts();
     zeno_meets();
+    bounces_flat(0);
+    bounces_flat(1);
     no_motion();
     return check_failures();
 }

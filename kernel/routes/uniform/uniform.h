@@ -81,8 +81,8 @@ void pm_uniform_integrate(pm_workspace *w, double t, double *z);
 /* uniform_gap.c: at the begin of the phase (the frame looks there): nothing is known yet, but whether a touching contact
  * leaves or rests: else it is irregular. */
 void pm_uniform_gap_begin(pm_workspace *w, int contact);
-/* Goes on until `until` is safe, or the contact closes before, or for long enough. */
-void pm_uniform_gap(pm_workspace *w, int contact, double until);
+/* Goes on until the time `end` is safe, or the contact closes before or then, or for long enough. */
+void pm_uniform_gap(pm_workspace *w, int contact, double end);
 
 /* The last step has ended, at u->end: how near the contact came to closing without doing so. */
 void pm_uniform_gap_note(pm_workspace *w, int contact);

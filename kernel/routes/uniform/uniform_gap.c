@@ -174,10 +174,12 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
     return safe;
 }
 
-void pm_uniform_gap(pm_workspace *w, int contact, double until)
+/* What closes with the contact that ends the step is found, too. */
+void pm_uniform_gap(pm_workspace *w, int contact, double end)
 {
     pm_uniform *u = w->uniform;
     pm_closing *x = &u->closing[contact];
+    const double until = end * (1 + PM_UNIFORM_TOGETHER);
     if (pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) x->safe = until;
     for (int i = 0; i < PM_UNIFORM_ADVANCES && x->safe < until && x->root == INFINITY; i++) {
         int root; /* enum pm_end_of_advance */
@@ -197,5 +199,5 @@ void pm_uniform_gap(pm_workspace *w, int contact, double until)
 int pm_uniform_resolves(const pm_workspace *w, int contact)
 {
     const pm_closing *x = &w->uniform->closing[contact];
-    return x->exact && x->root <= w->uniform->end;
+    return x->exact && x->root <= w->uniform->end * (1 + PM_UNIFORM_TOGETHER);
 }

@@ -205,7 +205,7 @@ static void count_without_end(pm_workspace *w, const pm_rest *r)
         const int event = e[PM_TRIGGER_EVENT];
         pm_outlook x;
         if (w->firing.time[event] > t0 - (1 - PM_ZENO_GEOMETRIC) * flight && may_fire(w, r, i, &x))
-            pm_trigger_countless(&w->firing, event, t0 + r->time);
+            pm_trigger_countless(w->model, &w->firing, event, t0 + r->time);
     }
 }
 

@@ -153,13 +153,20 @@ def _same(a: CaseResults, b: CaseResults, i: int, flip: Array, scale: float) -> 
 
 def table(seed: int, n: int, k: int, law: str, *, blow: bool) -> Counter[str]:
     """n cases of k contacts: how many are right, open by theory, wrong or failed."""
-    drawn = draw(np.random.default_rng([seed, k, LAWS.index(law), blow]), n, k, blow=blow)
+    return judged(
+        draw(np.random.default_rng([seed, k, LAWS.index(law), blow]), n, k, blow=blow), law, blow=blow
+    )
+
+
+def judged(drawn: Drawn, law: str, *, blow: bool) -> Counter[str]:
+    """What became of these cases, as they are, mirrored, and with their contacts in another order."""
+    k = drawn.friction.shape[1]
     flat = scene(k, law, blow=blow)
     found = run(flat, drawn, blow=blow)
     mirror = run(flat, drawn.mirrored(), blow=blow)
     turned = run(scene(k, law, blow=blow, turned=True), drawn, blow=blow)
     words: Counter[str] = Counter()
-    for i in range(n):
+    for i in range(len(drawn.mass)):
         x = drawn.problem(i)
         word = verdict(x, found.out[i], int(found.status[i]), found.count[i], law, blow=blow)
         if not _same(found, mirror, i, np.array([-1, 1, -1]), x.scale):
