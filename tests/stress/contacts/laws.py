@@ -114,6 +114,80 @@ def motions(x: Problem) -> list[Array]:
     return found
 
 
+# ---- accelerations, where contacts hold or slide ----
+@dataclass(frozen=True)
+class Rates:
+    """At some velocities: contacts that stay, their `drift` [n, 2] by turning, and which way they slip."""
+
+    closed: list[int]
+    drift: Array
+    slides: list[int]
+
+
+def _rates_at(x: Problem, v: Array) -> Rates:
+    u = x.jacobian @ v
+    close = 10 * CLOSE * (x.scale + float(np.abs(u).max()))
+    # a place r of the body accelerates by -omega^2 r; n.r and t.r are the levers of t and n
+    drift = v[2] ** 2 * np.stack([x.jacobian[:, 1, 2], -x.jacobian[:, 0, 2]], axis=1)
+    closed = [i for i in range(len(x)) if abs(u[i, 0]) <= close]
+    return Rates(closed, drift, [0 if abs(u[i, 1]) <= close else int(np.sign(u[i, 1])) for i in closed])
+
+
+def accelerations(x: Problem, v: Array) -> list[Array]:
+    """All that the laws allow at velocities `v` under no forces but those of the contacts, by enumeration."""
+    if np.abs(x.jacobian @ v).max() <= 10 * CLOSE * x.scale and abs(v[2]) <= CLOSE * abs(x.before[2]):
+        return [np.zeros(3)]  # it rests, and nothing drives it
+    at = _rates_at(x, v)
+    found: list[Array] = []
+    for modes in itertools.product((OPEN, STICK, FORWARD, BACKWARD), repeat=len(at.closed)):
+        if any(
+            s and m not in (OPEN, FORWARD if s > 0 else BACKWARD)
+            for s, m in zip(at.slides, modes, strict=True)
+        ):
+            continue
+        a = _acceleration(x, at, modes)
+        size = 1e-300 + float(np.abs(at.drift).max())
+        if a is not None and all(np.abs(a - b).max() > 1e2 * CLOSE * size for b in found):
+            found.append(a)
+    return found
+
+
+def _acceleration(x: Problem, at: Rates, modes: tuple[int, ...]) -> Array | None:
+    """That of these modes, if it obeys their inequalities."""
+    loads, rows, values, of = [], [], [], []
+    for i, mode in zip(at.closed, modes, strict=True):
+        if mode == OPEN:
+            continue
+        rows.append(x.jacobian[i, 0])
+        values.append(-at.drift[i, 0])
+        of.append(i)
+        if mode == STICK:
+            loads += [x.along(i, 1), x.along(i, -1)] if x.friction[i] > 0 else [x.along(i, 1)]
+            of += [i] if x.friction[i] > 0 else []
+            rows.append(x.jacobian[i, 1])
+            values.append(-at.drift[i, 1])
+        else:
+            loads.append(x.along(i, 1 if mode == FORWARD else -1))
+    a = np.zeros(3)
+    if loads:
+        lever = np.array(loads).T / x.mass[:, None]
+        wanted = np.array(values)
+        size, *_ = np.linalg.lstsq(np.array(rows) @ lever, wanted, rcond=1e-10)
+        if (size < -CLOSE * np.abs(size).max()).any():
+            return None
+        a = lever @ size
+        if np.abs(np.array(rows) @ a - wanted).max() > CLOSE * float(np.abs(at.drift).max()):
+            return None
+    u = x.jacobian @ a + at.drift
+    close = CLOSE * (float(np.abs(at.drift).max()) + float(np.abs(u).max()))
+    for i, mode, slides in zip(at.closed, modes, at.slides, strict=True):
+        if u[i, 0] < -close:
+            return None
+        if not slides and mode in (FORWARD, BACKWARD) and u[i, 1] * (1 if mode == FORWARD else -1) < -close:
+            return None
+    return a
+
+
 # ---- one contact, followed in its normal impulse (Routh) ----
 def _slides(x: Problem, i: int, slip: float) -> int:
     """How contact i slides; 0: it sticks."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from planemotion import _layout as layout
 from tests.stress.contacts import course, one_body, thrown
-from tests.stress.contacts.laws import Problem, is_admissible, motions, obeys, one_contact
+from tests.stress.contacts.laws import Problem, accelerations, is_admissible, motions, obeys, one_contact
 from tests.stress.contacts.rest import faults
 from tests.stress.contacts.throws import Throw, Thrown, Wall, throw
 from tests.stress.contacts.verdict import RIGHT, is_fault, verdict
@@ -64,6 +65,34 @@ def test_the_laws_tell_right_from_wrong() -> None:
     assert verdict(x, after, 0, 0 * counts, "newton", blow=True) == RIGHT
     assert is_fault(verdict(x, after + 1e-3, 0, 0 * counts, "newton", blow=True))
     assert is_fault(verdict(x, after, -9, 0 * counts, "newton", blow=True))
+
+
+def test_what_is_open_after_a_blow_is_enumerated_there() -> None:
+    """Two contacts that slide on: no motion goes on from there (case 350), or two do (1058)."""
+    drawn = one_body.draw(np.random.default_rng([12, 2, 7]), 1500, 2, blow=True)
+    found = one_body.run(one_body.scene(2, "newton", blow=True), drawn, blow=True)
+    told = {350: (layout.PM_PAINLEVE, "no motion"), 1058: (layout.PM_NOT_UNIQUE, "not unique")}
+    struck = np.zeros(20)
+    struck[layout.PM_COUNT_JUMPS] = 1
+    for case, (status, word) in told.items():
+        x, after = drawn.problem(case), found.out[case]
+        assert found.status[case] == status
+        assert verdict(x, after, status, struck, "newton", blow=True) == word
+        other = layout.PM_PAINLEVE + layout.PM_NOT_UNIQUE - status
+        assert is_fault(verdict(x, after, other, struck, "newton", blow=True))
+    for case in np.flatnonzero(found.status == 0)[:40]:
+        for status, _ in told.values():
+            assert is_fault(verdict(drawn.problem(case), after, status, struck, "newton", blow=True))
+
+
+def test_a_foot_that_slides_is_drawn_in_or_goes_on() -> None:
+    """Of a rod on one foot, sliding with friction: 1 + 3 cos (cos - mu sin) < 0 and omega tell (Painleve)."""
+    for degrees, omega, count in ((50, 0.0, 1), (50, 3.0, 2), (20, 3.0, 1)):
+        s, c = np.sin(np.radians(degrees)), np.cos(np.radians(degrees))
+        foot = np.array([[[0, 1, -0.5 * c], [1, 0, 0.5 * s]]])
+        x = Problem(np.array([1, 1, 1 / 12]), foot, np.array([1.6]), np.zeros(1), np.array([-1.0, 0, 0]))
+        v = np.array([-1 - 0.5 * omega * s, 0.5 * omega * c, omega])
+        assert len(accelerations(x, v)) == count
 
 
 def test_the_course_of_one_contact_is_that_of_routh() -> None:
