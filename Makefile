@@ -28,7 +28,7 @@ help:
 	@echo 'make format       rewrite the sources in the house style'
 	@echo 'make sanitize     the C tests under ASan and UBSan (SANITIZE=thread: under TSan)'
 	@echo 'make faults       plant faults in a copy of the kernel: the C tests must catch each'
-	@echo 'make stress       10 000 changed scenes, contacts beside their laws, pulses and waves (some minutes)'
+	@echo 'make stress       changed scenes and tables, contacts beside their laws, pulses and waves (an hour)'
 	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
 	@echo 'make bench-long   a sweep of a million cases: its time and memory'
@@ -83,6 +83,7 @@ stress: setup
 	$(BIN)/python -m tests.stress $(STRESS)
 	$(BIN)/python -m tests.stress.contacts $(CONTACTS)
 	$(BIN)/python -m tests.stress.misses $(MISSES)
+	$(BIN)/python -m tests.stress.tables $(TABLES)
 
 faults:
 	@.ci/setup --tools

@@ -29,7 +29,18 @@ void pm_history_reset(pm_history *history) { history->needed = history->next = 0
 
 static double *row_of(const pm_history *r, int i) { return r->row + i * (1 + r->nprogram); }
 
-static double grid_time(const pm_history *r) { return (double)r->next * r->every; }
+/* Numbers of grid times that doubles tell apart: beyond, the grid is over. */
+static const int64_t most_times = INT64_C(1) << 53;
+
+static double grid_time(const pm_history *r)
+{
+    return r->next < most_times ? (double)r->next * r->every : INFINITY;
+}
+
+static int64_t most_more(const pm_history *r, double times)
+{
+    return times < (double)(most_times - r->next) ? (int64_t)times : most_times - r->next;
+}
 
 /* The time and the programs at a state. */
 static int read(pm_workspace *w, const pm_state *state, double *row)
@@ -64,7 +75,7 @@ static void keep(pm_history *r, const double *row, int mark)
 static void pass_grid(pm_history *r, double t)
 {
     if (r->every > 0 && grid_time(r) <= t + PM_TIME_TOGETHER * fabs(t))
-        r->next = (int64_t)floor((t + PM_TIME_TOGETHER * fabs(t)) / r->every) + 1;
+        r->next += most_more(r, floor((t + PM_TIME_TOGETHER * fabs(t)) / r->every) + 1 - (double)r->next);
 }
 
 static int record(pm_workspace *w, int mark)
@@ -201,9 +212,10 @@ static int record_grid(pm_workspace *w, double x)
     int status = w->phase.route->in_time ? PM_OK : exactly(w, x, &none, &t);
     while (!status && grid_time(r) < t - PM_TIME_TOGETHER * fabs(t)) {
         if (r->needed >= r->cap) { /* there is no room: they are only counted */
-            const double more = ceil((t - PM_TIME_TOGETHER * fabs(t) - grid_time(r)) / r->every);
-            r->needed += (int64_t)more;
-            r->next += (int64_t)more;
+            const int64_t more =
+                most_more(r, ceil((t - PM_TIME_TOGETHER * fabs(t) - grid_time(r)) / r->every));
+            r->needed += more;
+            r->next += more;
             continue;
         }
         status = find_time(w, x, t, &place);

@@ -273,6 +273,33 @@ static int check_triggers(const pm_model *m, pm_where *where)
     return PM_OK;
 }
 
+/* What forces read of an event is told by programs: of a switch by the rise and the fall of one, of a piece by its ends. */
+static int check_effect(const pm_model *m, int event, pm_where *where)
+{
+    const int effect = PM_EVENT_ROW(m, event)[PM_EVENT_EFFECT];
+    int program[2] = {PM_NONE, PM_NONE}; /* that rises, that falls */
+    if (effect != PM_EFFECT_SWITCH && effect != PM_EFFECT_PIECE) return PM_OK;
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
+        const int32_t *e = PM_TRIGGER_ROW(m, i);
+        const int kind = e[PM_TRIGGER_KIND], falls = kind == PM_TRIGGER_FALL;
+        if (e[PM_TRIGGER_EVENT] != event) continue;
+        if ((kind != PM_TRIGGER_RISE && !falls) || program[falls] != PM_NONE)
+            return pm_bad_table(where, PM_TABLE_TRIGGER, i, kind, PM_TRIGGER_FALL);
+        program[falls] = e[PM_TRIGGER_PROGRAM];
+    }
+    const int whole = program[0] >= 0 && program[1] >= 0;
+    return whole && (effect == PM_EFFECT_PIECE || program[0] == program[1])
+               ? PM_OK
+               : pm_bad_table(where, PM_TABLE_EVENT, event, program[1], program[0]);
+}
+
+static int check_events(const pm_model *m, pm_where *where)
+{
+    int status = PM_OK;
+    for (int i = 0; !status && i < m->rows[PM_TABLE_EVENT]; i++) status = check_effect(m, i, where);
+    return status;
+}
+
 static int check_asks(pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->nask; i++) {
@@ -369,6 +396,7 @@ int pm_check_tables(pm_model *m, pm_where *where)
     if (!status) status = check_spans(m, where);
     if (!status) status = check_contacts(m, where);
     if (!status) status = check_triggers(m, where);
+    if (!status) status = check_events(m, where);
     if (!status) status = check_asks(m, where);
     if (!status) status = check_actions(m, where);
     if (!status) status = check_find(m, where);

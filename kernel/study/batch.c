@@ -237,7 +237,7 @@ int pm_trace(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
     for (int64_t i = 0; i < ntrace && !status; i++)
         if (trace_program[i] < 0 || trace_program[i] >= w->model->rows[PM_TABLE_PROGRAM])
             status = PM_BAD_TABLE;
-    if (!(every >= 0)) status = PM_BAD_TABLE;
+    if (!(every >= 0) || isinf(every)) status = PM_BAD_TABLE;
     w->record.history = &record;
     w->patience.stop = stop;
     if (!status) status = pm_history_create(w, &record);

@@ -148,23 +148,32 @@ static void falls(int route, double close)
     scene_free(s);
 }
 
-/* More times than there is room for are counted, not computed; a negative distance is refused. */
+/* Rows that are wanted of a grid, with room for four of them. */
+static int64_t wanted(const scene *s, double every, int expected, double few[4][2])
+{
+    const int32_t program[] = {s->cell[PM_TABLE_ASK][PM_ASK_PROGRAM]};
+    const double any[] = {INFINITY}, none = 0;
+    double detail[3];
+    int32_t mark[4], where[3];
+    int64_t needed;
+    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, 0, &none, NULL, every, 1, program, any, 4,
+                   few[0], mark, &needed, where, detail),
+          expected);
+    return needed;
+}
+
+/* More times than there is room for are counted, not computed, also more than an integer holds; a distance that is negative or
+ * infinite is refused. */
 static void counted(void)
 {
     scene *s = ball(PM_ROUTE_UNIFORM);
-    const int32_t program[] = {s->cell[PM_TABLE_ASK][PM_ASK_PROGRAM]};
-    const double any[] = {INFINITY}, none = 0;
-    double few[4][2], detail[3];
-    int32_t mark[4], where[3];
-    int64_t needed;
-    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, 0, &none, NULL, 1e-12, 1, program, any, 4,
-                   few[0], mark, &needed, where, detail),
-          PM_OK);
-    NEAR((double)needed, 1.1e12, 10);
+    double few[4][2];
+    NEAR((double)wanted(s, 1e-12, PM_OK, few), 1.1e12, 10);
     EQUAL(few[3][0], 3e-12);
-    EQUAL(pm_trace(s->ntable, s->table, s->nconstant, s->constant, 0, &none, NULL, -1, 1, program, any, 4,
-                   few[0], mark, &needed, where, detail),
-          PM_BAD_TABLE);
+    CHECK(wanted(s, 1e-300, PM_OK, few) >= INT64_C(1) << 53);
+    EQUAL(few[3][0], 3e-300);
+    EQUAL(wanted(s, -1, PM_BAD_TABLE, few), 0);
+    EQUAL(wanted(s, INFINITY, PM_BAD_TABLE, few), 0);
     scene_free(s);
 }
 

@@ -131,6 +131,32 @@ static void refused(int table, int row, int column, int32_t number)
     scene_free(s);
 }
 
+/* What forces read of an event is told by a program that rises and falls (a switch), or by two (a piece). */
+static void effects_have_their_triggers(void)
+{
+    static const struct {
+        int effect, first, second, program, good;
+    } cases[] = {
+        {PM_EFFECT_SWITCH, PM_TRIGGER_RISE, PM_TRIGGER_FALL, 0, 1},
+        {PM_EFFECT_SWITCH, PM_TRIGGER_RISE, PM_TRIGGER_FALL, 1, 0},
+        {PM_EFFECT_SWITCH, PM_TRIGGER_RISE, PM_TRIGGER_RISE, 0, 0},
+        {PM_EFFECT_SWITCH, PM_TRIGGER_FALL, PM_TRIGGER_START, 0, 0},
+        {PM_EFFECT_SWITCH, PM_TRIGGER_FALL, PM_TRIGGER_STRIKE, 0, 0},
+        {PM_EFFECT_PIECE, PM_TRIGGER_FALL, PM_TRIGGER_RISE, 1, 1},
+        {PM_EFFECT_PIECE, PM_TRIGGER_FALL, PM_TRIGGER_CROSS, 1, 0},
+        {PM_EFFECT_COUNT, PM_TRIGGER_RISE, PM_TRIGGER_RISE, 1, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        scene *s = everything();
+        const int program[] = {scene_read(s, scene_time(s)), scene_minus(s, scene_time(s), 1)};
+        const int event = SCENE_ROW(s, PM_TABLE_EVENT, 0, cases[i].effect);
+        scene_trigger(s, cases[i].first, event, program[0], 0);
+        scene_trigger(s, cases[i].second, event, program[cases[i].program], 0);
+        EQUAL(scene_run(s, NULL) != PM_BAD_TABLE, cases[i].good);
+        scene_free(s);
+    }
+}
+
 static void wrong_in_its_place(void)
 {
     refused(PM_TABLE_MEASURE, 1, PM_MEASURE_PART, PM_PART_NONE); /* a vector without its part */
@@ -266,6 +292,7 @@ static void points_that_touch(void)
 int main(void)
 {
     corrupt_every_column();
+    effects_have_their_triggers();
     wrong_in_its_place();
     wrong_directory();
     forces_on_forces();

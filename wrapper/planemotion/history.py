@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -58,6 +59,6 @@ def seconds_of(every: Any) -> float:
         raise SceneError(
             f'{quantity.dimension.phrase}; a time such as "10 ms" is wanted', path="every", value=every
         )
-    if not quantity.value_si > 0:
-        raise SceneError("a time above zero is wanted", path="every", value=every)
+    if not 0 < quantity.value_si < math.inf:
+        raise SceneError("a time above zero is wanted, and a finite one", path="every", value=every)
     return float(quantity.value_si)
