@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import planemotion
@@ -131,3 +132,25 @@ def test_a_click_on_a_name_traces_it(player: Any) -> None:
     player.locator("canvas.scene").click(position={"x": x + wide / 2, "y": y + high / 2})
     assert state(player, "stage.traced.size") == 1
     assert picture(player) != before
+
+
+def test_the_player_keeps_the_time_of_the_frames(browser: Any, tmp_path: Path) -> None:
+    """The pace, the freshness of a blow and the lengths of arrows are the same numbers in both."""
+    shown = planemotion.load_text(BALL).animate(show="velocities,slow", theme="dark")
+    beside = shown.beside
+    strike = float(beside.timing.events[1])
+    with opened(browser, shown.save(tmp_path / "ball.html"), "light") as page:
+        assert page.evaluate("document.documentElement.dataset.theme") == "dark"
+        pressed = "[...document.querySelectorAll('[aria-pressed=true]')].map((one) => one.dataset.shows)"
+        assert set(page.evaluate(pressed)) == {"names", "velocities", "traces", "slow"}
+        assert not page.get_by_label("energies over time").is_visible()
+        player = "document.querySelector('.pm').player"
+        for time in (0.1, 0.3, strike - 0.05, strike + 0.003, strike + 0.02, 1.7):
+            page.evaluate(f"{player}.seek({time})")
+            pace = page.evaluate(f"{player}.pace()")
+            assert pace == pytest.approx(float(beside.timing.pace(np.array([time]))[0]), rel=1e-3)
+            seen, fresh = beside.timing.fresh(time), page.evaluate(f"{player}.blow()?.fresh")
+            assert (fresh is None) == (seen is None)
+            assert seen is None or fresh == pytest.approx(seen[1], abs=1e-3)
+        page.keyboard.press("e")
+        assert page.get_by_label("energies over time").is_visible()

@@ -10,6 +10,7 @@ import pytest
 
 import planemotion
 from planemotion.base.errors import StudyError
+from planemotion.base.themes import THEMES
 from planemotion.pen import theme
 from planemotion.pictures.plots import plot
 
@@ -45,9 +46,7 @@ def test_every_colour_of_the_house_has_a_counterpart_as_strong() -> None:
 @pytest.mark.parametrize("figure", [None, "free-body", "impulse-momentum", "energy"])
 def test_nothing_white_stays(figure: str | None, tmp_path: Path) -> None:
     scene = planemotion.load(PACKAGE / "examples" / "pendulum.toml")
-    light, dark = (
-        _pixels(scene.draw(as_=figure, theme=one).save(tmp_path / "a.png")) for one in theme.THEMES
-    )
+    light, dark = (_pixels(scene.draw(as_=figure, theme=one).save(tmp_path / "a.png")) for one in THEMES)
     assert np.mean(light) > 0.85
     assert np.mean(dark) < 0.25
     assert np.mean(np.all(dark > 0.93, axis=2)) < 1e-3

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .animation import moving
+from .animation.beside import Beside
+from .animation.document import document
+from .animation.moving import Motion, record
 from .animation.needs import require
 from .animation.page import page
+from .animation.shows import USUAL, shows_of
 from .base.errors import StudyError
 from .base.files import ANIMATIONS, appearing, ending
 from .engine.kernel import status_name
@@ -20,7 +24,12 @@ from .reading.scene import HasData
 class Animation:
     """A run that moves: a notebook shows it, `save` writes it."""
 
-    motion: moving.Motion
+    beside: Beside
+
+    @property
+    def motion(self) -> Motion:
+        """The recorded run."""
+        return self.beside.motion
 
     @property
     def fault(self) -> str:
@@ -30,7 +39,7 @@ class Animation:
 
     def html(self) -> str:
         """One page with everything in it: the player, the signs, the motion."""
-        return page(moving.document(self.motion))
+        return page(document(self.beside))
 
     def widget(self) -> Any:
         """The same player as a widget, for live notebooks: Python reads and sets what it shows.
@@ -43,7 +52,7 @@ class Animation:
         """
         from .animation.widget import widget
 
-        return widget(moving.document(self.motion))
+        return widget(document(self.beside))
 
     def save(self, out: str | os.PathLike[str]) -> Path:
         """Writes the animation in the format that the ending says; it appears whole or not at all.
@@ -60,7 +69,7 @@ class Animation:
             else:
                 from .animation.video import write
 
-                write(self.motion, temporary, kind)
+                write(self.beside, temporary, kind)
         return path
 
     def _repr_html_(self) -> str:
@@ -72,6 +81,13 @@ class Animation:
         )
 
 
-def animate(scene: HasData, run: str | None = None) -> Animation:
+def animate(
+    scene: HasData,
+    run: str | None = None,
+    show: str | Iterable[str] = USUAL,
+    trace: str | Iterable[str] = (),
+    theme: str | None = None,
+) -> Animation:
     """Runs a scene (one of its [runs]; default: the first): see Scene.animate."""
-    return Animation(moving.record(scene, run))
+    shows = shows_of(show, trace, theme)
+    return Animation(Beside(record(scene, run), shows))

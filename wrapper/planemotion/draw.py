@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .base.errors import SceneError
+from .base.themes import require_theme
 from .pen import page
-from .pen.theme import on_paper, require_theme
+from .pen.theme import on_paper
 from .pictures import diagrams
 from .pictures.instants import instant_of
 from .pictures.scene import figure, start_of

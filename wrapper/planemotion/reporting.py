@@ -13,14 +13,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .animation import moving
+from .animation.beside import Beside
+from .animation.document import document
+from .animation.moving import record
 from .base.checksums import require_sound
 from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
 from .base.files import REPORTS, appearing, ending
+from .base.themes import THEMES
 from .engine.history import is_history
 from .file import load, load_text
 from .pen import page as pen
-from .pen.theme import THEMES, on_paper
+from .pen.theme import on_paper
 from .pictures.condensed import evenly
 from .pictures.panels import drawn_dims, open_sweep
 from .pictures.scene import figure, start_of
@@ -133,7 +136,7 @@ def _chosen(
 def _replay(scene: Scene, place: Sequence[int], words: str) -> Replay:
     """A case in motion; one that cannot be recorded says why."""
     try:
-        return Replay(place, words, moving.document(moving.record(scene)))
+        return Replay(place, words, document(Beside(record(scene))))
     except (SceneError, SimulationError) as error:
         return Replay(place, words, fault=str(error))
 

@@ -288,17 +288,29 @@ class Scene:
 
         return history(self.with_values(parameters), quantities, every=every, run=of_run)
 
-    def animate(self, *, of_run: str | None = None, **parameters: Any) -> Animation:
+    def animate(
+        self,
+        *,
+        show: str | Iterable[str] = "energies",
+        trace: str | Iterable[str] = (),
+        of_run: str | None = None,
+        theme: str | None = None,
+        **parameters: Any,
+    ) -> Animation:
         """The scene in motion, with other values for some parameters; a notebook shows it, with a player.
 
-            scene.animate(d="2 in").save("scene.html")
+            scene.animate(show="energies,forces,slow", trace="AB.B", d="2 in").save("scene.gif")
 
-        `of_run`: which of its [runs] (default: the first).  `save` writes one page of HTML that needs nothing
-        else, or a GIF or MP4.  Raises SceneError for a fault, SimulationError if nothing can be recorded.
+        `show`: of "energies", "velocities", "forces" and "slow" (time passes slower around events), as a list
+        or with commas; blows are always seen with their impulses.  `trace`: points whose ways are drawn, such
+        as "AB.B" (without any: of all particles).  `of_run`: which of its [runs] (default: the first).
+        `theme`: "light" or "dark" (default: light; a page is as the reader's system).  `save` writes one page
+        of HTML that needs nothing else, or a GIF or MP4, which show the same.  Raises SceneError for a fault
+        or a point that there is not, StudyError for another word, SimulationError if nothing can be recorded.
         """
         from .animate import animate
 
-        return animate(self.with_values(parameters), of_run)
+        return animate(self.with_values(parameters), of_run, show, trace, theme)
 
     def draw(
         self,

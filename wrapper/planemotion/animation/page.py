@@ -10,11 +10,11 @@ from string import Template
 from typing import Any
 
 # The player, in the order in which a browser reads it; what opens it comes behind.
-_PLAYER = ("player.js", "player_controls.js")
+_PLAYER = ("player_motion.js", "player.js", "player_signs.js", "player_controls.js")
 
 
 def page(document: Mapping[str, Any]) -> str:
-    """The page of what `moving.document` gives."""
+    """The page of what `document.document` gives."""
     motion = json.dumps(document, separators=(",", ":"), allow_nan=False, ensure_ascii=False)
     return Template(_resource("player.html")).substitute(
         title=html.escape(str(document["title"])),

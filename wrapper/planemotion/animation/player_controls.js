@@ -3,12 +3,12 @@
 
 const KEYS = [
   ["Space", "play"], ["← →", "step"], ["n p", "next, previous event"], ["↑ ↓", "speed"], ["Home End", "start, end"],
-  ["v f t l", "velocities, forces, traces, names"], ["c", "follow"], ["s", "slow at events"], ["r", "repeat"], ["d", "dark"],
+  ["v f t e l", "velocities, forces, traces, energies, names"], ["c", "follow"], ["s", "slow at events"], ["r", "repeat"], ["d", "dark"],
   ["wheel, drag", "zoom, move; double click: all"], ["click a name", "its trace"],
 ];
 const TOGGLES = [
   ["names", "Names", "l", true], ["velocities", "Velocities", "v", false], ["forces", "Forces", "f", false],
-  ["traces", "Traces", "t", true], ["follow", "Follow", "c", null], ["slow", "Slow at events", "s", false], ["repeat", "Repeat", "r", false],
+  ["traces", "Traces", "t", true], ["energies", "Energies", "e", true], ["follow", "Follow", "c", null], ["slow", "Slow at events", "s", false], ["repeat", "Repeat", "r", false],
 ];
 
 function made(tag, attributes = {}, ...children) {
@@ -32,13 +32,14 @@ class Player {
     this.time = 0;
     this.row = 0; // which side of a jump is shown; undefined between rows
     this.playing = false;
-    this.speed = usualSpeed(this.motion.end);
+    this.timing = told.timing;
+    this.speed = this.timing.speed;
     this.shows = Object.fromEntries(TOGGLES.map(([key, , , on]) => [key, on]));
-    this.shows.follow = this.motion.goesFar();
+    Object.assign(this.shows, { ...told.shows, follow: told.follows });
     this.build(root);
     this.stage = new Stage(this.canvas, this.motion);
     this.listen();
-    this.themed.dataset.theme = darkAround() ? "dark" : "light";
+    this.themed.dataset.theme = told.shows.theme || (darkAround() ? "dark" : "light");
     this.resize();
   }
 
@@ -59,7 +60,7 @@ class Player {
     this.values = made("table");
     this.playButton = made("button", { class: "play", onclick: () => this.toggle() });
     this.choice = made("select", { "aria-label": "speed", onchange: () => this.setSpeed(Number(this.choice.value)) },
-      ...SPEEDS.map((speed) => made("option", { value: speed }, `× ${speed}`)));
+      ...this.timing.speeds.map((speed) => made("option", { value: speed }, `× ${speed}`)));
     this.toggles = TOGGLES.map(([key, label, letter]) =>
       made("button", { "data-shows": key, title: `key ${letter}`, onclick: () => this.show(key) }, label));
     const button = (label, title, action) => made("button", { title, "aria-label": title, onclick: action }, label);
@@ -79,7 +80,11 @@ class Player {
         this.choice, made("span", { class: "space" }), ...this.toggles),
       made("div", { class: "keys" }, ...KEYS.flatMap(([key, does]) => [made("kbd", {}, key), ` ${does}   `])),
     );
-    if (!Object.keys(this.motion.energies).length) this.plot.parentElement.remove();
+    if (!Object.keys(this.motion.energies).length) {
+      this.plot.parentElement.remove();
+      this.toggles.find((one) => one.dataset.shows === "energies").remove();
+    }
+    this.plot.parentElement?.toggleAttribute("hidden", !this.shows.energies);
     if (!this.motion.events.length) root.querySelectorAll("nav button[title*=event]").forEach((one) => { if (one.title !== "key s") one.disabled = true; });
   }
 
@@ -129,17 +134,19 @@ class Player {
   /* Slower around an event, if that is wanted. */
   pace() {
     if (!this.shows.slow) return 1;
-    const near = 0.35 * this.speed;
+    const near = this.timing.near * this.speed, slower = this.timing.slower;
     const by = Math.min(this.motion.neighbour(this.time, 1).name ? this.motion.neighbour(this.time, 1).t - this.time : Infinity,
       this.motion.neighbour(this.time, -1).name ? this.time - this.motion.neighbour(this.time, -1).t : Infinity);
-    return by < near ? 1 / SLOWER + (1 - 1 / SLOWER) * Math.pow(by / near, 2) : 1;
+    return by < near ? 1 / slower + (1 - 1 / slower) * Math.pow(by / near, 2) : 1;
   }
 
   setSpeed(speed) { this.speed = speed; this.draw(); }
 
   show(key) {
     this.shows[key] = !this.shows[key];
+    if (key === "energies" && this.plot.isConnected) this.plot.parentElement.toggleAttribute("hidden", !this.shows.energies);
     if (key === "follow") this.stage.reset();
+    if (key === "energies") this.resize();
     this.draw();
   }
 
@@ -162,7 +169,7 @@ class Player {
     this.colour();
     this.stage.resize();
     fit(this.axis, this.axis.clientWidth, 54);
-    if (this.plot.isConnected) fit(this.plot, this.plot.clientWidth, 150);
+    if (this.plot.clientWidth) fit(this.plot, this.plot.clientWidth, 150);
     this.draw();
   }
 
@@ -171,7 +178,7 @@ class Player {
     const done = this.motion.events.filter((event) => event.t <= this.time + 1e-9 * this.motion.end);
     const event = done[done.length - 1];
     if (!event) return null;
-    const fresh = 1 - (this.time - event.t) / (FLASH * this.speed * (this.shows.slow ? 1 / SLOWER : 1));
+    const fresh = 1 - (this.time - event.t) / (this.timing.flash * this.speed * (this.shows.slow ? 1 / this.timing.slower : 1));
     return fresh > 0 ? { event, fresh } : null;
   }
 
@@ -181,7 +188,7 @@ class Player {
     this.stage.follow(look, this.shows.follow);
     this.stage.draw(look, this.shows, this.colours, blow);
     this.drawAxis();
-    if (this.plot.isConnected) this.drawEnergies(look);
+    if (this.plot.clientWidth) this.drawEnergies(look);
     this.clock.textContent = `t = ${this.time.toFixed(Math.max(0, 3 - Math.floor(Math.log10(this.motion.end || 1))))} s`;
     this.what.textContent = blow ? blow.event.name : "";
     this.playButton.textContent = this.playing ? "❚❚ Pause" : "▶ Play";
@@ -319,7 +326,7 @@ class Player {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT") return;
-    const speed = (by) => this.setSpeed(SPEEDS[Math.min(Math.max(SPEEDS.indexOf(this.speed) + by, 0), SPEEDS.length - 1)]);
+    const speeds = this.timing.speeds, speed = (by) => this.setSpeed(speeds[Math.min(Math.max(speeds.indexOf(this.speed) + by, 0), speeds.length - 1)]);
     const actions = {
       " ": () => this.toggle(), ArrowRight: () => this.nudge(1), ArrowLeft: () => this.nudge(-1), n: () => this.step(1), p: () => this.step(-1),
       ArrowUp: () => speed(1), ArrowDown: () => speed(-1), Home: () => this.seek(0), End: () => this.seek(this.motion.end), d: () => this.theme(),

@@ -1,48 +1,74 @@
-"""Frames of a motion as GIF and MP4: the picture of `pictures`, drawn at even times.
+"""Frames of a motion for GIF and MP4: the picture of `pictures` with what is shown beside it.
 
-Axes, ground and title are drawn once; each frame adds what moves, with its names as far from it as at first.
+Axes, ground, title, energies and the time axis are drawn once; each frame adds what moves, with its names as
+far from it as at first.  A view that follows a far motion has new paper for each frame.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
+from matplotlib.artist import Artist
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..pen import page
-from ..pen.page import SOFT
+from ..pen.page import IMPULSE, SOFT
 from ..pen.sketch import Sketch
 from ..pen.symbols import Pen, Place
-from ..pictures.scene import SceneDrawing, plane_of, title_of
-from .moving import Motion
+from ..pen.theme import recolour
+from ..pictures.scene import SceneDrawing, title_of
+from .beside import Beside
+from .document import note_of
+from .drawn import draw_above, draw_below
+from .film import write_gif, write_mp4
+from .margin import Energies, TimeAxis, margins
+from .moving import Room
 
 _RATE = 20  # frames per second
-# Seconds of a viewer: a run between the first two is shown as fast as it is, others in the last.
-_SHORTEST, _LONGEST, _USUAL = 3.0, 12.0, 6.0
-_MOST = 240  # frames
+_MOST = 480  # frames
 _RESOLUTION = 100  # dots per inch
-_COLOURS = 64  # of a GIF
 _NAME = 8.5  # size of names, in points
+# Frames from which the colours of a GIF are taken: over the run, and at its first events.
+_SPREAD, _EVENTS = 6, 4
 
 Frame = npt.NDArray[np.uint8]
 
 
-def write(motion: Motion, path: Path, kind: str) -> None:
+def write(beside: Beside, path: Path, kind: str) -> None:
     """Writes the frames as `kind`, gif or mp4.  Raises OSError if the file cannot be written."""
-    (_write_gif if kind == "gif" else _write_mp4)(path, frames(motion))
+    film = Film(beside)
+    if kind == "gif":
+        write_gif(path, film.samples(), film, _RATE)
+    else:
+        write_mp4(path, film, _RATE)
 
 
-def frames(motion: Motion, most: int | None = None) -> Iterator[Frame]:
-    """The frames [height, width, 3], _RATE of them for each second of a viewer, or so many at most."""
-    end = float(motion.recorded.time[-1])
-    seconds = end if _SHORTEST <= end <= _LONGEST else _USUAL
-    paper = _Paper(motion, end / seconds)
-    for time in np.linspace(0.0, end, min(max(2, round(seconds * _RATE)), most or _MOST)):
-        yield paper.frame(float(time))
+class Film:
+    """The frames [height, width, 3] of a motion: _RATE for each second of a viewer, or `most` at most."""
+
+    def __init__(self, beside: Beside, most: int | None = None) -> None:
+        self.beside = beside
+        self.times, self.speed = beside.timing.frames(_RATE, most or _MOST)
+        self.paper = _Paper(beside, self.speed, beside.room_at(0.0))
+
+    def __iter__(self) -> Iterator[Frame]:
+        return map(self.frame, self.times)
+
+    def frame(self, time: float) -> Frame:
+        """The picture at a time."""
+        if self.beside.motion.follows:
+            offsets = self.paper.offsets
+            return _Paper(self.beside, self.speed, self.beside.room_at(time), offsets).frame(time)
+        return self.paper.frame(time)
+
+    def samples(self) -> list[Frame]:
+        """Frames that have all colours: some of the run, and of its events."""
+        spread = self.times[np.linspace(0, len(self.times) - 1, _SPREAD).astype(int)]
+        return [self.frame(float(time)) for time in (*spread, *self.beside.timing.events[:_EVENTS])]
 
 
 class _SameSketch(Sketch):
@@ -59,43 +85,82 @@ class _SameSketch(Sketch):
 
 
 class _Paper:
-    """What stays from frame to frame."""
+    """What stays from frame to frame.  `room`: what is seen; `offsets`: of names, None: as fits the start."""
 
-    def __init__(self, motion: Motion, speed: float) -> None:
-        self.motion = motion
-        self.slow = "" if 0.99 < speed < 1.01 else f", {speed:.2g} times as fast as it is"
-        with page.style():
-            self.sketch = Sketch(motion.drawing, motion.poses(0), motion.unit, motion.room)
+    def __init__(
+        self, beside: Beside, speed: float, room: Room, offsets: dict[str, Place] | None = None
+    ) -> None:
+        self.beside = beside
+        self.theme = beside.shows.theme or "light"
+        motion = beside.motion
+        with page.style(self.theme):
+            self.sketch = Sketch(motion.drawing, motion.poses(0), motion.unit, room)
             figure = self.sketch.figure
             figure.set_dpi(_RESOLUTION)
-            self.offsets = self._name_offsets()
+            self.offsets = self._name_offsets() if offsets is None else offsets
             SceneDrawing(motion.data, self.sketch).draw_ground()
             self._write_names(self.sketch.pen)
+            self._write_margins(figure, speed)
             page.head(figure, title_of(motion.data), "")
-            width, height = figure.get_size_inches()
-            self.clock = figure.text(
-                0.12 / width, 1 - 0.37 / height, "", va="top", color=SOFT, size=8.5, animated=True
-            )
-            self.canvas = FigureCanvasAgg(figure)
-            self.canvas.draw()
-            self.background = self.canvas.copy_from_bbox(figure.bbox)
+            self._begin(figure)
+
+    def _write_margins(self, figure: Figure, speed: float) -> None:
+        """The energies, the time axis, and the line below the title."""
+        axes = self.sketch.pen.axes
+        energies, below = margins(figure, axes, self.beside)
+        self.moving: list[Energies | TimeAxis] = [*([energies] if energies else []), below]
+        width, height = figure.get_size_inches()
+        y = 1 - 0.37 / height
+        self.clock = figure.text(0.12 / width, y, "", va="top", color=SOFT, size=8.5)
+        self.what = figure.text(
+            1 - 0.12 / width, y, "", va="top", ha="right", color=IMPULSE, size=8.5, weight="bold"
+        )
+        slower = "slow" in self.beside.shows.words and self.beside.events
+        slow = ", slower at events" if slower else ""
+        as_it_is = 0.99 < speed < 1.01
+        times = "" if as_it_is and not slow else f", {speed:.3g} times as fast as it is{slow}"
+        self.note = f"{note_of(self.beside.motion)}; t = %.{_decimals(self.beside.timing.end)}f s{times}"
+
+    def _begin(self, figure: Figure) -> None:
+        """Draws what stays."""
+        moving = [self.clock, self.what, *(artist for part in self.moving for artist in part.artists)]
+        if self.theme == "dark":
+            for artist in figure.findobj():
+                recolour(artist)
+        for artist in moving:
+            artist.set_animated(True)
+        self.canvas = FigureCanvasAgg(figure)
+        self.canvas.draw()
+        self.background = self.canvas.copy_from_bbox(figure.bbox)
 
     def frame(self, time: float) -> Frame:
         """The picture [height, width, 3] at a time."""
-        axes, figure = self.sketch.pen.axes, self.sketch.figure
+        axes, figure, beside = self.sketch.pen.axes, self.sketch.figure, self.beside
         before = set(axes.get_children())
-        with page.style():
-            sketch = _SameSketch(self.sketch, self.motion.poses_at(time))
-            SceneDrawing(self.motion.data, sketch).draw_moving()
+        with page.style(self.theme):
+            sketch = _SameSketch(self.sketch, beside.motion.poses_at(time))
+            draw_below(sketch, beside, time)
+            SceneDrawing(beside.motion.data, sketch).draw_moving()
             self._write_names(sketch.pen)
+            draw_above(sketch, beside, time)
             self.canvas.restore_region(self.background)
-            new = [artist for artist in axes.get_children() if artist not in before]
-            for artist in sorted(new, key=lambda one: one.get_zorder()):
-                axes.draw_artist(artist)
-                artist.remove()
-            self.clock.set_text(f"{plane_of(self.motion.data)}; t = {time:.3f} s{self.slow}")
-            figure.draw_artist(self.clock)
+            self._ink([artist for artist in axes.get_children() if artist not in before])
+            self.clock.set_text(self.note % time)
+            seen = beside.timing.fresh(time)
+            self.what.set_text(beside.events[seen[0]][1] if seen else "")
+            for part in self.moving:
+                part.move(time)
+            for artist in (self.clock, self.what, *(one for part in self.moving for one in part.artists)):
+                figure.draw_artist(artist)
         return np.asarray(self.canvas.buffer_rgba())[:, :, :3].copy()
+
+    def _ink(self, artists: Iterable[Artist]) -> None:
+        """Draws what is new on the axes, and takes it off again."""
+        for artist in sorted(artists, key=lambda one: one.get_zorder()):
+            if self.theme == "dark":
+                recolour(artist)
+            self.sketch.pen.axes.draw_artist(artist)
+            artist.remove()
 
     def _write_names(self, pen: Pen) -> None:
         """The names of a pen, each as far from what it names as at the start."""
@@ -103,14 +168,16 @@ class _Paper:
             dx, dy = self.offsets.get(name.text, (0.0, 0.0))
             weight = "bold" if name.bold else "normal"
             place = (name.place[0] + dx, name.place[1] + dy)
-            pen.axes.text(*place, name.text, color=name.colour, size=_NAME, weight=weight, zorder=8)
+            pen.axes.text(
+                *place, name.text, color=name.colour, size=_NAME, weight=weight, zorder=8, clip_on=True
+            )
 
     def _name_offsets(self) -> dict[str, Place]:
         """How far each name stands from what it names, at the start; the names are taken off again."""
-        axes = self.sketch.pen.axes
+        axes, motion = self.sketch.pen.axes, self.beside.motion
         before = set(axes.get_children())
-        first = _SameSketch(self.sketch, self.motion.poses(0))
-        SceneDrawing(self.motion.data, first).draw()
+        first = _SameSketch(self.sketch, motion.poses(0))
+        SceneDrawing(motion.data, first).draw()
         places = {name.text: name.place for name in first.pen.names}
         first.pen.write_names()
         offsets = {}
@@ -124,33 +191,6 @@ class _Paper:
         return offsets
 
 
-def _write_gif(path: Path, shown: Iterator[Frame]) -> None:
-    from PIL import Image
-
-    pictures = [Image.fromarray(frame) for frame in shown]
-    # With one palette what stands still has the same numbers in all frames, and is stored once.
-    some = [pictures[i] for i in (0, len(pictures) // 2, -1)]
-    palette = Image.fromarray(np.vstack([np.asarray(one) for one in some])).quantize(
-        _COLOURS, Image.Quantize.MAXCOVERAGE
-    )
-    images = [one.quantize(palette=palette, dither=Image.Dither.NONE) for one in pictures]
-    images[0].save(
-        path, format="GIF", save_all=True, append_images=images[1:], duration=1000 // _RATE, loop=0
-    )
-
-
-def _write_mp4(path: Path, shown: Iterator[Frame]) -> None:
-    import imageio_ffmpeg
-
-    writer = None
-    for frame in shown:
-        even = np.ascontiguousarray(frame[: frame.shape[0] // 2 * 2, : frame.shape[1] // 2 * 2])
-        if writer is None:
-            size = (even.shape[1], even.shape[0])
-            writer = imageio_ffmpeg.write_frames(
-                str(path), size, fps=_RATE, macro_block_size=2, output_params=["-f", "mp4"]
-            )
-            writer.send(None)
-        writer.send(even)
-    if writer is not None:
-        writer.close()
+def _decimals(end: float) -> int:
+    """Of times of a run that takes so long."""
+    return max(0, 3 - int(np.floor(np.log10(end or 1.0))))

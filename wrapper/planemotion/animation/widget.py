@@ -11,7 +11,7 @@ from .page import module, style
 
 
 def widget(document: Mapping[str, Any]) -> Any:
-    """The widget of what `moving.document` gives; see `Animation.widget`.
+    """The widget of what `document.document` gives; see `Animation.widget`.
 
     Raises StudyError if anywidget is not installed."""
     require("widget")

@@ -8,7 +8,9 @@ from pathlib import Path
 import click
 
 from ..animation.needs import require
+from ..animation.shows import USUAL, WORDS
 from ..base.files import ANIMATIONS, PICTURES, ending
+from ..base.themes import THEMES
 from .options import FAILED, a_path, say, set_option
 
 # Figures that `pictures.diagrams` draws; written here because that is imported only when it draws.
@@ -30,7 +32,7 @@ def _animation(_ctx: click.Context, _option: click.Parameter, out: Path | None) 
 
 
 _theme_option = click.option(
-    "--theme", type=click.Choice(["light", "dark"]), default="light", help="Ink on light or dark paper."
+    "--theme", type=click.Choice(THEMES), default="light", help="Ink on light or dark paper."
 )
 
 
@@ -117,20 +119,46 @@ def draw(
     callback=_animation,
     help="The animation, .html, .gif or .mp4 (default: SCENE's name with .html, here).",
 )
+@click.option(
+    "--show",
+    metavar="WORDS",
+    default=",".join(USUAL),
+    show_default=True,
+    help=f"Of {', '.join(WORDS)}, with commas; slow: time passes slower around events.",
+)
+@click.option(
+    "--trace",
+    metavar="POINT",
+    multiple=True,
+    help="A point whose way is drawn, such as AB.B (repeatable; default: all particles).",
+)
 @click.option("--run", "run", metavar="NAME", help="Which of its [runs] (default: the first).")
+@click.option(
+    "--theme",
+    type=click.Choice(THEMES),
+    help="Ink on light or dark paper (default: light; a page is as the reader's system).",
+)
 @set_option
 @click.pass_context
 def animate(
-    ctx: click.Context, scene: Path, out: Path | None, run: str | None, values: Mapping[str, str]
+    ctx: click.Context,
+    scene: Path,
+    out: Path | None,
+    show: str,
+    trace: tuple[str, ...],
+    run: str | None,
+    theme: str | None,
+    values: Mapping[str, str],
 ) -> None:
     """Run a scene and show it in motion.
 
-    HTML is one page that needs nothing else: play, scrub, slow motion, step from event to event.
+    HTML is one page that needs nothing else: play, scrub, slow motion, step from event to event.  GIF and MP4
+    show the same: blows with their impulses, the time with its events, and what --show and --trace ask for.
     """
     from ..animate import animate as animated
     from ..file import load
 
-    made = animated(load(scene).with_values(values), run)
+    made = animated(load(scene).with_values(values), run, show, trace, theme)
     click.echo(made.save(out or Path(f"{scene.stem}.html")))
     if made.fault:
         say(made.fault, error=True)

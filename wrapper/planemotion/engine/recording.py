@@ -158,8 +158,9 @@ def _happened(flat: FlatScene, recorded: History, before: int | None, after: int
     columns = recorded.columns
 
     def changed(name: str) -> float:
-        values = columns[name]
-        return float(values[after] - (values[before] if before is not None else 0.0))
+        later = float(columns[name][after])
+        earlier = float(columns[name][before]) if before is not None else 0.0
+        return 0.0 if later == earlier else later - earlier  # counts of a whole series of blows are infinite
 
     for name in _things(flat, "count"):
         if changed(f"{name}.count") > 0:

@@ -21,6 +21,8 @@ INK = "#222222"
 SOFT = "#6b6b6b"
 BLUE = "#1f4e79"
 RED = "#b5362b"
+VELOCITY, IMPULSE, TRACE, EDGE = "#2f6fb0", "#a02c6f", "#8a9bab", "#d9dde1"  # of what moves, as in the player
+ENERGIES = {"kinetic": "#c8741a", "potential": "#3b7d5e", "total": BLUE}
 # A picture of one scene is the same file each time it is drawn.
 _WITHOUT_DATE: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 RESOLUTION = 160  # dots per inch

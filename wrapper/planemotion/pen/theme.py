@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.colors import to_rgba, to_rgba_array
 
-from ..base.errors import StudyError
-
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.figure import Figure
 
-THEMES = ("light", "dark")
 # Light and dark; the dark ones are as strong, and are those of the player and the report.
 _DARK = {
     "#ffffff": "#14181c",
@@ -33,6 +31,10 @@ _DARK = {
     "#cccccc": "#38424b",
     "#dbe5ef": "#25384a",
     "#dd9c95": "#8c463e",
+    "#2f6fb0": "#6fb4ff",
+    "#a02c6f": "#f07fc0",
+    "#8a9bab": "#6d7d8c",
+    "#d9dde1": "#38424b",
 }
 _TABLE = [(np.array(to_rgba(light)[:3]), np.array(to_rgba(dark)[:3])) for light, dark in _DARK.items()]
 _SAME = 1 / 512  # of a channel: half a step of eight bits
@@ -50,31 +52,25 @@ def themed(settings: Any, theme: str) -> Any:
     }
 
 
-def require_theme(theme: str) -> None:
-    """Raises StudyError for a theme that there is not."""
-    if theme not in THEMES:
-        raise StudyError(f'theme = "{theme}": {" or ".join(THEMES)} is wanted')
-
-
 def on_paper(figure: Figure, theme: str) -> Figure:
     """The finished picture, everything in it in its colour on that paper; colour maps keep theirs."""
+    if theme != "light":
+        for artist in figure.findobj():
+            recolour(artist)
+    return figure
+
+
+def recolour(artist: Artist) -> None:
+    """Gives what is drawn in a colour of the house its counterpart on dark paper."""
     from matplotlib.collections import Collection
 
-    if theme == "light":
-        return figure
-    for artist in figure.findobj():
-        mapped = isinstance(artist, Collection) and artist.get_array() is not None
-        for part in _PARTS:
-            getter, setter = (getattr(artist, f"{verb}_{part}", None) for verb in ("get", "set"))
-            if (
-                getter is None
-                or setter is None
-                or mapped
-                or (part == "color" and hasattr(artist, "set_edgecolor"))
-            ):
-                continue
-            _recolour(getter(), setter)
-    return figure
+    if isinstance(artist, Collection) and artist.get_array() is not None:
+        return  # a colour map
+    for part in _PARTS:
+        getter, setter = (getattr(artist, f"{verb}_{part}", None) for verb in ("get", "set"))
+        if getter is None or setter is None or (part == "color" and hasattr(artist, "set_edgecolor")):
+            continue
+        _recolour(getter(), setter)
 
 
 def _recolour(colours: Any, setter: Any) -> None:

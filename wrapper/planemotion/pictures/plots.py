@@ -9,10 +9,11 @@ import os
 from pathlib import Path
 
 from ..base.checksums import require_sound
+from ..base.themes import require_theme
 from ..engine.history import is_history
 from ..engine.history import read as read_history
 from ..pen.page import save, style
-from ..pen.theme import on_paper, require_theme
+from ..pen.theme import on_paper
 from .history import plot_history
 from .panels import open_sweep
 from .sweep import plot_sweep
