@@ -4,32 +4,46 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+from planemotion.pen import page
+from planemotion.pen.page import CURVES
+from planemotion.pictures.scales import plain_numbers
 
 from .problems import LEAST_ERROR, Problem
 from .rows import Row
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 # Colour and marker of a family; its variants differ in line and filling.
 STYLES = {
-    "planemotion default": ("#c0392b", "o"),
-    "planemotion path": ("#e67e22", "D"),
-    "planemotion uniform": ("#8e6c00", "P"),
-    "planemotion rk": ("#8e44ad", "s"),
-    "planemotion ida": ("#d98ac7", "v"),
-    "C loop": ("#222222", "*"),
-    "heyoka": ("#1f77b4", "^"),
-    "SciPy DOP853": ("#2ca02c", "<"),
-    "scikit-SUNDAE IDA": ("#17a2a2", ">"),
-    "MuJoCo RK4": ("#7f7f7f", "X"),
-    "Exudyn generalized-alpha": ("#b8860b", "p"),
+    "planemotion default": (CURVES[0], "o"),
+    "planemotion path": (CURVES[1], "D"),
+    "planemotion uniform": (CURVES[5], "P"),
+    "planemotion rk": (CURVES[3], "s"),
+    "planemotion ida": (CURVES[7], "v"),
+    "C loop": (page.INK, "*"),
+    "heyoka": (CURVES[6], "^"),
+    "SciPy DOP853": (CURVES[2], "<"),
+    "scikit-SUNDAE IDA": (CURVES[4], ">"),
+    "MuJoCo RK4": (page.SOFT, "X"),
+    "Exudyn generalized-alpha": (page.RED, "p"),
 }
 VARIANT = ", no estimates"
 SIZE = (7.4, 4.8)  # inches
-DOTS = 110  # per inch: small files that still print
 
 
 def work_precision(problem: Problem, rows: Sequence[Row], path: Path) -> None:
     """Writes the picture of one scene; errors below LEAST_ERROR are drawn there."""
+    with page.style():
+        figure = _work_precision(problem, rows)
+        page.save(figure, path)
+
+
+def _work_precision(problem: Problem, rows: Sequence[Row]) -> Figure:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=SIZE, layout="constrained")
@@ -59,12 +73,11 @@ def work_precision(problem: Problem, rows: Sequence[Row], path: Path) -> None:
     axes.set(
         xscale="log", yscale="log", xlabel=f"true error [{problem.unit}]", ylabel="CPU time per run [ms]"
     )
-    axes.set_title(problem.title, fontsize=10)
-    axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
     axes.invert_xaxis()  # better is to the right, and down
-    axes.tick_params(labelsize=8)
-    figure.legend(loc="outside right upper", fontsize=7, frameon=False)
-    figure.savefig(path, dpi=DOTS)
+    plain_numbers(axes.yaxis)
+    page.head(figure, problem.title, "better is to the right, and down")
+    figure.legend(loc="outside right upper")
+    return figure
 
 
 def growth(
@@ -73,13 +86,14 @@ def growth(
     """Writes a picture of cost growth: lines of (x, y), both logarithmic."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(5.6, 3.8), layout="constrained")
-    axes = figure.subplots()
-    for name, points in lines.items():
-        axes.plot(*zip(*points, strict=True), marker="o", markersize=4, linewidth=1.2, label=name)
-    axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label)
-    axes.set_title(title, fontsize=10)
-    axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
-    axes.tick_params(labelsize=8)
-    axes.legend(fontsize=7, frameon=False)
-    figure.savefig(path, dpi=DOTS)
+    with page.style():
+        figure = Figure(figsize=(5.6, 3.8), layout="constrained")
+        axes = figure.subplots()
+        for (name, points), colour in zip(lines.items(), cycle(page.CURVES), strict=False):
+            axes.plot(*zip(*points, strict=True), marker="o", markersize=4, label=name, color=colour)
+        axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label)
+        for axis in (axes.xaxis, axes.yaxis):
+            plain_numbers(axis)
+        page.head(figure, title, "")
+        axes.legend()
+        page.save(figure, path)

@@ -121,7 +121,7 @@ def test_files_pictures_and_reports(tmp_path: Path) -> None:
     header = (tmp_path / "fall.csv").read_text(encoding="utf-8").splitlines()[0]
     assert header.startswith("h [m],m [kg],T [s],")
     with open_sweep(tmp_path / "fall.h5") as dataset:
-        dots = plot_sweep(dataset).axes[0].get_lines()[0]
+        dots = plot_sweep(dataset).axes[1].get_lines()[0]
     assert dots.get_linestyle() == "None"  # nothing follows another
     assert np.size(dots.get_xdata()) == 30  # the masses are held: there is no map
     assert report_of(tmp_path / "fall.h5", {}, replays=2).html.count("markers") >= 3

@@ -26,8 +26,8 @@ ENERGIES = {"kinetic": "#c8741a", "potential": "#3b7d5e", "total": BLUE}
 # A picture of one scene is the same file each time it is drawn.
 _WITHOUT_DATE: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 RESOLUTION = 160  # dots per inch
-# A family of curves or the parts of a vector: dark, well apart, also in print and for the colour-blind.
-CURVES = (BLUE, "#c8741a", "#3b7d5e", "#7a4a8c", "#8a8a2b", "#4c9bbf", "#b5362b", "#5d5d5d")
+# A family of curves or the parts of a vector: well apart for the colour-blind, too.
+CURVES = (BLUE, "#c8741a", "#2f8a4f", "#9440d8", "#bfb0de", "#7a1010", "#52cb8c", "#d978ec")
 STYLE: Any = {
     "axes.axisbelow": True,
     "axes.edgecolor": SOFT,

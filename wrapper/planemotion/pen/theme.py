@@ -9,6 +9,7 @@ from matplotlib.colors import to_rgba, to_rgba_array
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+    from matplotlib.collections import Collection
     from matplotlib.figure import Figure
 
 # Light and dark; the dark ones are as strong, and are those of the player and the report.
@@ -17,14 +18,16 @@ _DARK = {
     "#222222": "#e6e8ea",
     "#000000": "#e6e8ea",
     "#6b6b6b": "#98a2ab",
-    "#5d5d5d": "#b3bcc4",
     "#1f4e79": "#8fbce6",
     "#b5362b": "#ff8a75",
     "#c8741a": "#f0a95a",
     "#3b7d5e": "#7fcfa6",
-    "#7a4a8c": "#c79ad8",
-    "#8a8a2b": "#d0d070",
-    "#4c9bbf": "#5fb4d9",
+    "#2f8a4f": "#5cf2c4",
+    "#9440d8": "#a866f4",
+    "#bfb0de": "#f2ec5a",
+    "#7a1010": "#c86653",
+    "#52cb8c": "#9a6280",
+    "#d978ec": "#6262ba",
     "#e3e3e3": "#2c353d",
     "#f0f0f0": "#20262c",
     "#ebebeb": "#2a3138",
@@ -65,12 +68,22 @@ def recolour(artist: Artist) -> None:
     from matplotlib.collections import Collection
 
     if isinstance(artist, Collection) and artist.get_array() is not None:
-        return  # a colour map
+        _recolour_map(artist)
+        return
     for part in _PARTS:
         getter, setter = (getattr(artist, f"{verb}_{part}", None) for verb in ("get", "set"))
         if getter is None or setter is None or (part == "color" and hasattr(artist, "set_edgecolor")):
             continue
         _recolour(getter(), setter)
+
+
+def _recolour_map(mapped: Collection) -> None:
+    """A colour map of categories; others have no colour of the house, and stay."""
+    from matplotlib.colors import ListedColormap
+
+    colours = mapped.get_cmap()
+    if isinstance(colours, ListedColormap):
+        mapped.set_cmap(ListedColormap([_counterpart(one) for one in to_rgba_array(colours.colors)]))
 
 
 def _recolour(colours: Any, setter: Any) -> None:

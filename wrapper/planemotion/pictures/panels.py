@@ -1,7 +1,8 @@
 """The result of a sweep as what a picture shows: its axes, and the numbers of each ask over them.
 
 Along one parameter each ask becomes a panel of curves; along two a map, or a family of curves where one of
-them has few values; further parameters are held at their first value.
+them has few values; further parameters are held at their first value.  Of cases that a design has drawn there
+are the values of each of its parameters.
 """
 
 from __future__ import annotations
@@ -57,26 +58,36 @@ class SweptAxis:
 
 @dataclass(frozen=True)
 class Panel:
-    """One ask: values over the axes drawn (one axis of curves, or two of a map); `names` of its curves."""
+    """One ask: values over the axes drawn (one axis of curves, or two of a map); `names` of its curves; what
+    is asked in `words`."""
 
     label: str
     values: Floats
     names: tuple[str, ...]
     note: str
+    words: str = ""
 
 
 @dataclass(frozen=True)
 class Panels:
     """A sweep as a picture: its title, and in words what is in it; one axis of curves or two of maps, and the
-    parameter that has a curve for each value; a panel for each ask; which cases did not end well, over the
-    axes."""
+    parameter that has a curve for each value; a panel for each ask; over the axes how the cases ended, as
+    numbers of `endings`, of which 0 is well.  `drawn`: parameters that a design has drawn (on one axis)."""
 
     title: str
     words: str
     axes: Sequence[SweptAxis]
     family: SweptAxis | None
     panels: Sequence[Panel]
-    bad: npt.NDArray[np.bool_]
+    ended: npt.NDArray[np.intp]
+    endings: Sequence[str]
+    drawn: Sequence[SweptAxis] = ()
+
+    @property
+    def bad(self) -> npt.NDArray[np.bool_]:
+        """Which cases did not end well, over the axes."""
+        bad: npt.NDArray[np.bool_] = self.ended != 0
+        return bad
 
 
 def read_panels(dataset: xr.Dataset, cells: int = MAP_CELLS) -> Panels:
@@ -90,11 +101,11 @@ def read_panels(dataset: xr.Dataset, cells: int = MAP_CELLS) -> Panels:
     if len(axes) == 2 and min(len(axis.values) for axis in axes) <= FAMILY:
         few = min((0, 1), key=lambda i: (len(axes[i].values), -i))
         family = axes.pop(few)
-    status = shown["status"].transpose(*[axis.name for axis in axes], ...).values
-    bad = np.any(status.reshape(*(len(axis.values) for axis in axes), -1) != 0, axis=-1)
+    ended, endings = _endings(shown, axes)
     panels = [_panel(shown, str(key), axes, family) for key in dataset["ask"].values]
     title = str(dataset.attrs.get("title") or dataset.attrs.get("id") or "Sweep")
-    read = Panels(title, _counts(dataset, held), axes, family, panels, np.asarray(bad))
+    drawn = _drawn(dataset, axes[0]) if axes[0].drawn else ()
+    read = Panels(title, _counts(dataset, held), axes, family, panels, ended, endings, drawn)
     steps = [-(-len(axis.values) // cells) for axis in axes]
     return _coarser(read, steps) if len(axes) == 2 and max(steps) > 1 else read
 
@@ -109,8 +120,35 @@ def _coarser(read: Panels, steps: Sequence[int]) -> Panels:
             for axis, step in zip(read.axes, steps, strict=True)
         ],
         panels=[replace(panel, values=condensed(panel.values, steps)) for panel in read.panels],
-        bad=condensed(read.bad, steps) > 0,
+        ended=_worst(read.ended, steps),
     )
+
+
+def _worst(ended: npt.NDArray[np.intp], steps: Sequence[int]) -> npt.NDArray[np.intp]:
+    """The greatest number of each block of steps[0] x steps[1]."""
+    for along, step in enumerate(steps):
+        ended = np.maximum.reduceat(ended, np.arange(0, ended.shape[along], step), axis=along)
+    return ended
+
+
+def _endings(shown: xr.Dataset, axes: Sequence[SweptAxis]) -> tuple[npt.NDArray[np.intp], list[str]]:
+    """How the cases ended over the axes (of several at one place the rarest), and what the numbers mean."""
+    status = shown["status"].transpose(*[axis.name for axis in axes], ...)
+    codes, counts = np.unique(status.values, return_counts=True)
+    order = [0, *(code for code in codes[np.argsort(-counts, kind="stable")].tolist() if code != 0)]
+    numbers = np.zeros(status.shape, np.intp)
+    for number, code in enumerate(order):
+        numbers[status.values == code] = number
+    places = numbers.reshape(*(len(axis.values) for axis in axes), -1).max(axis=-1)
+    words = status_words(shown)
+    return places, [words.get(code, str(code)) for code in order]
+
+
+def status_words(dataset: xr.Dataset) -> dict[int, str]:
+    """What the codes of a status mean."""
+    attributes = dataset["status"].attrs
+    words = [word.replace("_", " ") for word in str(attributes.get("flag_meanings", "")).split()]
+    return dict(zip(np.atleast_1d(attributes.get("flag_values", [])).tolist(), words, strict=False))
 
 
 def drawn_dims(dataset: xr.Dataset) -> list[str]:
@@ -132,8 +170,23 @@ def _held(dataset: xr.Dataset) -> list[str]:
     return [str(dim) for dim in dataset["status"].dims if dim not in drawn]
 
 
+def _along(dataset: xr.Dataset, dim: str) -> list[str]:
+    """The parameters that go with a dimension."""
+    return [str(name) for name in str(dataset.attrs["parameters"]).split() if dataset[name].dims == (dim,)]
+
+
+def _drawn(dataset: xr.Dataset, axis: SweptAxis) -> list[SweptAxis]:
+    """The parameters that a design has drawn."""
+    return [
+        SweptAxis(
+            name, _with_unit(name, dataset[name]), np.asarray(dataset[name].values, np.float64), False, True
+        )
+        for name in _along(dataset, axis.name)
+    ]
+
+
 def _axis(dataset: xr.Dataset, dim: str) -> SweptAxis:
-    along = [str(name) for name in str(dataset.attrs["parameters"]).split() if dataset[name].dims == (dim,)]
+    along = _along(dataset, dim)
     shown = dim if dim in along else along[0]  # the first of those that a design draws
     values = np.asarray(dataset[shown].values, np.float64)
     others = [name for name in along if name != shown]
@@ -170,7 +223,8 @@ def _panel(dataset: xr.Dataset, key: str, axes: Sequence[SweptAxis], family: Swe
     elif len(axes) == 1:
         values = values.reshape(len(axes[0].values), -1)
         names = _curve_names(variable, family, lists)
-    return Panel(_with_unit(key, variable), values, names, note)
+    words = str(variable.attrs.get("long_name", ""))
+    return Panel(_with_unit(key, variable), values, names, note, "" if words == key else words)
 
 
 def _curve_names(variable: xr.DataArray, family: SweptAxis | None, lists: Sequence[str]) -> tuple[str, ...]:
@@ -195,11 +249,9 @@ def _counts(dataset: xr.Dataset, held: Sequence[str]) -> str:
     status = dataset["status"]
     texts = [f"{status.size} case{'s' if status.size != 1 else ''}"]
     values, counts = np.unique(status.values, return_counts=True)
-    words = str(status.attrs.get("flag_meanings", "")).split()
-    codes = np.atleast_1d(status.attrs.get("flag_values", [])).tolist()
-    word_of = dict(zip(codes, words, strict=False))
+    word_of = status_words(dataset)
     bad = [
-        f"{count} {word_of.get(value, str(value)).replace('_', ' ')}"
+        f"{count} {word_of.get(value, str(value))}"
         for value, count in zip(values.tolist(), counts.tolist(), strict=True)
         if value != 0
     ]

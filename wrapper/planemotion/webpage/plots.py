@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from ..base.arrays import Floats
 from ..pen.page import CURVES, RED
 from ..pictures.condensed import evenly, outline
 from ..pictures.panels import Panel, Panels, SweptAxis
+from ..pictures.samples import bins_of, influential
 
 # Values along a side of a map, and runs of neighbours of a curve.
 MAP_CELLS = 300
@@ -25,7 +27,7 @@ _DIGITS = 9
 
 def plots(read: Panels) -> list[dict[str, Any]]:
     """A plot for each ask: its title, and data and layout as Plotly.newPlot takes them."""
-    make = _map if len(read.axes) == 2 else _curves
+    make = _samples if read.drawn else _map if len(read.axes) == 2 else _curves
     return [make(read, panel) for panel in read.panels]
 
 
@@ -48,8 +50,56 @@ def _curves(read: Panels, panel: Panel) -> dict[str, Any]:
     return _plot(panel, data, layout)
 
 
+def _samples(read: Panels, panel: Panel) -> dict[str, Any]:
+    """Of a design: how an ask is distributed, and beside it the ask over each parameter."""
+    drawn = influential(read)
+    width, step = 1 / (len(drawn) + 1) - 0.06, 1 / (len(drawn) + 1)
+    names = panel.names or ("",)
+    data: list[dict[str, Any]] = []
+    layout: dict[str, Any] = {
+        "xaxis": {"domain": [0, width], "title": {"text": panel.label}},
+        "yaxis": {"title": {"text": "cases"}, "rangemode": "tozero"},
+        "yaxis2": {"title": {"text": panel.label}, "anchor": "x2", **_whole(panel.values)},
+        "barmode": "overlay",
+        "bargap": 0,
+        "showlegend": len(names) > 1,
+        "hovermode": "closest",
+    }
+    for i, axis in enumerate(drawn, start=2):
+        left = step * (i - 1) + 0.03
+        place = {"domain": [left, left + width], "anchor": "y2"}
+        layout[f"xaxis{i}"] = {**_layout_of(axis), **place}
+    for values, name, colour in zip(panel.values.T, names, _colours(), strict=False):
+        known = values[np.isfinite(values)]
+        look = {"name": name, "marker": {"color": colour, "size": 4}, "showlegend": False}
+        data.append({**_histogram(known), **look, "showlegend": True})
+        for i, axis in enumerate(drawn, start=2):
+            one = _curve(axis, values, name, colour)
+            data.append({**one, **look, "xaxis": f"x{i}", "yaxis": "y2", "mode": "markers"})
+    return _plot(panel, data, layout)
+
+
+def _histogram(known: Floats) -> dict[str, Any]:
+    edges = bins_of(known) if known.size else np.zeros(2)
+    counts, _ = np.histogram(known, edges) if known.size else (np.zeros(1), None)
+    bars = {
+        "x": _numbers(0.5 * (edges[1:] + edges[:-1])),
+        "y": counts.tolist(),
+        "width": _numbers(np.diff(edges)),
+    }
+    return {
+        "type": "bar",
+        "opacity": 0.7,
+        "hovertemplate": "%{y} cases about %{x:.6g}<extra></extra>",
+        **bars,
+    }
+
+
+def _colours() -> Iterator[str]:
+    return cycle(CURVES)
+
+
 def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str, Any]:
-    shown = axis.label if axis.drawn else axis.name
     if axis.drawn:
         kept = evenly(len(axis.values), _MOST_DOTS)
         x, y, mode = axis.values[kept], values[kept], "markers"
@@ -65,7 +115,7 @@ def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str,
         "line": {"color": colour, "width": 2},
         "marker": {"size": 5},
         "connectgaps": False,
-        "hovertemplate": f"{shown} = %{{x:.6g}}<br>%{{y:.8g}}<extra>{name}</extra>",
+        "hovertemplate": f"{axis.name} = %{{x:.6g}}<br>%{{y:.8g}}<extra>{name}</extra>",
     }
 
 
