@@ -46,6 +46,7 @@ typedef struct pm_event_function {
     int below;      /* of a gap: the mark was below its edge when the phase began */
     double sunk;    /* of a gap: by how much it was below zero as it parted; from there it counts */
     double since;   /* x from which it is held */
+    double left;    /* its last sample of the step before in this phase; 0: there is none */
     double rested;  /* of a trigger: its greatest size in the last step before the phase */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
     double

@@ -190,6 +190,13 @@ static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const p
     f->since = from;
 }
 
+/* A step that ends on a zero, but for rounding, may end before it where the next begins beyond it. */
+static void join(const pm_event_set *e, const pm_event_function *f, pm_event_course *of)
+{
+    const int apart = (f->left > 0 && of->g[0] <= 0) || (f->left < 0 && of->g[0] >= 0);
+    if (!e->first_step && !f->held && apart) of->g[0] = f->left;
+}
+
 /* Moves *first on to the node from which its side is known (n: none); 1 if there is a bracket before it. */
 static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, pm_span *x)
 {
@@ -256,6 +263,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;
+    if (pm_event_changes_sign(f) && first == 0) join(w->event, f, &of);
     if (pm_event_changes_sign(f)) hold_if_on_zero(w->event, f, &of, from);
     if (enter(w, i, &of, &first, x)) return 1;
     return (f->edge != PM_NONE || !stays_away(&of)) && search(w, i, &of, first, from, x);

@@ -109,7 +109,8 @@ void pm_event_search_leave(const pm_step *step, pm_event_set *e)
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(e, f)) continue;
-        if (fabs(pm_event_of_sample(f, pm_event_samples(e, i)[last])) > f->slack) f->held = 0;
+        f->left = pm_event_of_sample(f, pm_event_samples(e, i)[last]);
+        if (fabs(f->left) > f->slack) f->held = 0;
         f->since = 0;
     }
 }

@@ -170,6 +170,8 @@
 #define PM_UNIFORM_LONGER 2.0 /* of a step: the next one; likewise */
 #define PM_UNIFORM_TURNED \
     1e-9 /* of a step: a parabola whose extremum is so near to its begin has passed it; more: extremes are missed */
+#define PM_UNIFORM_REVERSAL_ROUNDING \
+    1e-15 /* of its values: how far off three of them put the extremum of a parabola; less: steps of no length */
 #define PM_UNIFORM_DEFINITE \
     100.0 /* roundings of accelerations: a definite one; more: more phases are left to rk */
 #define PM_UNIFORM_SAME_TIME \

@@ -110,6 +110,12 @@ FAULTS = [
         "if (b >= 0) return 0; return b < a ? k + 2",
     ),
     Fault(
+        "missed root: a step ends before it, the next begins behind it",
+        "events/event_bracket.c",
+        "!e->first_step && !f->held && apart",
+        "0 && apart",
+    ),
+    Fault(
         "missed root: leaves its zero on the other side",
         "events/event_bracket.c",
         "resolved ? pm_chebyshev_value(",

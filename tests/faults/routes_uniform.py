@@ -30,7 +30,7 @@ FAULTS = [
     Fault(
         "uniform: a parabola passes twice",
         "routes/uniform/route_uniform.c",
-        "if (reversal > PM_UNIFORM_TURNED && reversal < 1)",
+        "if (reversal > fmax(PM_UNIFORM_TURNED, rounding) && reversal < 1)",
         "if (reversal < 0)",
     ),
     Fault(

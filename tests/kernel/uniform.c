@@ -571,9 +571,35 @@ static void no_motion(void)
     scene_free(s);
 }
 
+/* Where the speed of a ball that bounces changes sign its height has its extremum, at which steps end: each top is seen. */
+static void sees_tops(void)
+{
+    for (int i = 0; i < 60; i++) {
+        const double e = 0.3 + 0.011 * i, height = 0.6, r = 0.03;
+        scene *s = scene_create();
+        scene_set(s, PM_SETTING_GRAVITY_Y, -G);
+        const int p = scene_point(s, scene_body(s, 1, 0, 0, 1 + r, 0), 0, 0);
+        const int vy = scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y),
+                  y = scene_part(s, PM_MEASURE_POSITION, p, PM_PART_Y);
+        const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, r), scene_floor(s, 0), 0, e,
+                                    PM_FRICTION_SMOOTH, 0);
+        scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, c), 4);
+        const int top = scene_when(s, PM_TRIGGER_FALL, scene_minus(s, vy, 0)),
+                  high = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, y, height + r));
+        scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, top));
+        scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, high));
+        if (runs_uniformly(s)) {
+            EQUAL(s->out[0], 3);
+            EQUAL(s->out[1], (e * e > height) + (pow(e, 4) > height) + (pow(e, 6) > height));
+        }
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     routes_agree();
+    sees_tops();
     scales();
     same_bits();
     friction_stops_it();

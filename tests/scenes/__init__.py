@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import planemotion
+from planemotion.engine.result import Answer
 
 G = 9.81  # m/s^2, of a scene that gives no other
 ROUTES = ("auto", "rk", "ida")  # the default, and those that go on in time
@@ -21,13 +22,13 @@ def answers(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]
     return {key: answer.value for key, answer in result.asks.items()}
 
 
-def number(value: float | list[float | None] | None) -> float:
+def number(value: Answer) -> float:
     """A value that is one number."""
     assert isinstance(value, int | float)
     return value
 
 
-def numbers(value: float | list[float | None] | None) -> list[Any]:
+def numbers(value: Answer) -> list[Any]:
     """A value that is a list."""
     assert isinstance(value, list)
     return value

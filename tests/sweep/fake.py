@@ -61,8 +61,8 @@ class FakeScene:
 RPM = units.factor("rpm")[0]
 ASKS = (
     Asked(key="sum", unit="ft", factor=0.3048, first=0, count=1, is_list=False),
-    Asked(key="list", unit="rpm", factor=RPM, first=1, count=2, is_list=True),
-    Asked(key="odd", unit="", factor=1.0, first=3, count=1, is_list=False),
+    Asked(key="list", unit="rpm", factor=RPM, first=1, count=2, is_list=True, row=1),
+    Asked(key="odd", unit="", factor=1.0, first=3, count=1, is_list=False, row=2),
 )
 
 
@@ -101,7 +101,7 @@ class FakeEngine:
         d, w, m = param.T
         out = np.stack([d + w, w, w * d, m], axis=1)
         status = np.zeros(n, np.int32)
-        reason = np.zeros((n, len(flat.asks)), np.int32)
+        reason = np.zeros((n, len(ASKS)), np.int32)
         status[m == 13] = PM_ASSEMBLY
         status[m == 14] = PM_LIMIT_TIME
         reason[m == 13] = PM_REASON_FAILED

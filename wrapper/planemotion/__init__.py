@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
     from .draw import Picture
     from .engine.result import AskValue, RunResult
+    from .engine.words import words
     from .file import load, load_text
     from .reporting import Report
     from .scene import Scene
@@ -35,6 +36,7 @@ __all__ = [
     "__version__",
     "load",
     "load_text",
+    "words",
 ]
 
 _HOME = {
@@ -50,6 +52,7 @@ _HOME = {
     "StudyError": "base.errors",
     "load": "file",
     "load_text": "file",
+    "words": "engine.words",
 }
 
 

@@ -59,11 +59,16 @@ def _run_once(flat: FlatScene) -> CaseResults:
 def _with_whole_lists(scene: Scene, flat: FlatScene, results: CaseResults) -> tuple[FlatScene, CaseResults]:
     """Once more with longer lists, up to the longest, while an event fires more often than one is long."""
     firings = EACH_FIRINGS
-    while firings < MOST_FIRINGS and (results.reason == layout.PM_REASON_CUT).any():
+    while firings < MOST_FIRINGS and _has_cut_list(flat, results):
         firings = min(_LONGER * firings, MOST_FIRINGS)
         flat = flatten(scene, flat.run, history=False, firings=firings)
         results = _run_once(flat)
     return flat, results
+
+
+def _has_cut_list(flat: FlatScene, results: CaseResults) -> bool:
+    rows = [ask.row for ask in flat.asks if ask.is_list]
+    return bool((results.reason[:, rows] == layout.PM_REASON_CUT).any())
 
 
 def _is_shared(results: CaseResults) -> bool:
@@ -100,8 +105,7 @@ def run_near(scene: Scene, values: Mapping[str, Any]) -> RunResult | None:
         if near is None:
             return None
         found = _run_once(near)
-        odd = (found.reason == layout.PM_REASON_CUT) | (found.reason == layout.PM_REASON_SHARED)
-        if odd.any() or found.status[0] != layout.PM_OK:
+        if _has_cut_list(near, found) or _is_shared(found) or found.status[0] != layout.PM_OK:
             return None
         results.append((near, found))
     return collect(data.id, data.file, tuple(data.ask), results)

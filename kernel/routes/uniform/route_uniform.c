@@ -188,7 +188,8 @@ static double first_reversal(pm_workspace *w, double from, double to)
         }
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);
         const double reversal = bend != 0 ? -0.5 * slope / bend : INFINITY; /* of h */
-        if (reversal > PM_UNIFORM_TURNED && reversal < 1) to = fmin(to, from + reversal * h);
+        const double rounding = PM_UNIFORM_REVERSAL_ROUNDING * fmax(fabs(p[0]), fabs(p[2])) / fabs(bend);
+        if (reversal > fmax(PM_UNIFORM_TURNED, rounding) && reversal < 1) to = fmin(to, from + reversal * h);
     }
     return to;
 }

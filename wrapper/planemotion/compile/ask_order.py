@@ -68,6 +68,8 @@ def _refusal(ask: Ask, name: str, asks: Mapping[str, Ask]) -> str | None:
         return f"{said}: write its expression in its place"
     if name not in asks:
         return f'"{name}" is an ask of another run'
+    if asks[name].events is not None:
+        return f'"{name}" is a word of events, no number; an expression reads EVENT.count'
     at = asks[name].at
     if (isinstance(at, At) and at.each is not None) or (isinstance(at, str) and at.startswith("each ")):
         return f'"{name}" is a list; an expression reads asks that are one number'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -24,6 +25,9 @@ from .measures import Measures, Reading
 EACH_FIRINGS = 64
 MOST_FIRINGS = 100_000
 
+# A word of events is a whole number, exact as a double.
+_WORD_BITS = 53
+
 _OVER_TIME = {
     "integral": layout.PM_ASK_INTEGRAL,
     "mean": layout.PM_ASK_MEAN,
@@ -37,7 +41,9 @@ class Asked:
 
     `first`, `count`: columns of out of its run; `is_list`: the answer is a list; `text`: for people; `at`:
     unit and values [count] of the grid of a list, where they are plain quantities; `open_ended`: as long as
-    the event fired, so that not-a-number at its end means nothing.
+    the event fired, so that not-a-number at its end means nothing.  `row`: of the first of its rows in the
+    kernel's table of asks.  `letters`: of a word of events their names, one row of the table each and one
+    for their sum at the end; `longest`: the letters of the longest word.
     """
 
     key: str
@@ -49,6 +55,19 @@ class Asked:
     text: str = ""
     at: tuple[str, Floats] | None = None
     open_ended: bool = False
+    row: int = 0
+    letters: tuple[str, ...] = ()
+    longest: int = 0
+
+    @property
+    def rows(self) -> int:
+        """How many rows of the kernel's table of asks it has."""
+        return len(self.letters) + bool(self.letters) or 1
+
+    @property
+    def columns(self) -> int:
+        """How many columns of out it has."""
+        return len(self.letters) * self.longest + bool(self.letters) or self.count
 
 
 class Asks:
@@ -79,6 +98,7 @@ class Asks:
         self.columns: list[Asked] = []
         self.dimensions: dict[str, Dimension] = {}
         self._width = 0
+        self._rows = 0
 
     def add(self, key: str, ask: Ask) -> None:
         """Adds the row of one ask, behind those that it reads, and its column.
@@ -86,6 +106,9 @@ class Asks:
         Raises SceneError for a wrong unit or instant.
         """
         path = f"ask.{key}"
+        if ask.events is not None:
+            self._add_word(key, ask, ask.events)
+            return
         word = ask.word
         at_instant = word == "of" and not isinstance(ask.at, At)
         with self.measures.of_instant(at_instant):
@@ -97,24 +120,46 @@ class Asks:
         unit, size = _unit(ask.unit, reading.dimension, path)
         node = reading.node if word == "of" else self.watched(reading.node, path)
         row[layout.PM_ASK_PROGRAM] = self.tables.program(node, path)
-        row[layout.PM_ASK_OUT] = self._width
-        row[layout.PM_ASK_COUNT] = count
-        self.tables.add(layout.PM_TABLE_ASK, row, path)
         kind = row[layout.PM_ASK_KIND]
         is_each = kind == layout.PM_ASK_EACH
         is_list = is_each or kind == layout.PM_ASK_GRID
         at = _plain_values(ask.at, count)
-        asked = Asked(key, unit, size, self._width, count, is_list, ask.text, at, open_ended=is_each)
+        asked = Asked(key, unit, size, self._width, count, is_list, ask.text, at, is_each, self._rows)
         self.columns.append(asked)
+        self._add_row(row, count, path)
         self.dimensions[key] = reading.dimension
+
+    def _add_row(self, row: dict[int, int], count: int, path: str) -> None:
+        row[layout.PM_ASK_OUT] = self._width
+        row[layout.PM_ASK_COUNT] = count
+        self.tables.add(layout.PM_TABLE_ASK, row, path)
         self._width += count
+        self._rows += 1
+
+    def _add_word(self, key: str, ask: Ask, events: tuple[str, ...]) -> None:
+        """Adds which events happened: at each firing of one, how many of all have fired so far."""
+        path = f"ask.{key}.events"
+        longest = longest_word(len(events))
+        asked = Asked(
+            key, "", 1.0, self._width, 1, False, ask.text, row=self._rows, letters=events, longest=longest
+        )
+        so_far = self.measures.lower(" + ".join(f"{name}.count" for name in events), path)
+        program = self.tables.program(so_far.node, path)
+        for name in events:
+            row = _row(layout.PM_ASK_EACH)
+            row[layout.PM_ASK_EVENT_INDEX] = self.events[name]
+            row[layout.PM_ASK_NTH] = 1
+            row[layout.PM_ASK_PROGRAM] = program
+            self._add_row(row, longest, path)
+        self._add_row({**_row(layout.PM_ASK_END), layout.PM_ASK_PROGRAM: program}, 1, path)
+        self.columns.append(asked)
 
     def answers(self) -> dict[str, Reading]:
         """What names of asks stand for in asks behind them: answers; a parameter of that name goes first."""
         return {
             column.key: Reading(self.tables.answer_leaf(column.first), self.dimensions[column.key])
             for column in self.columns
-            if not column.is_list and not self.measures.knows(column.key)
+            if not column.is_list and not column.letters and not self.measures.knows(column.key)
         }
 
     def _read(self, written: Value, where: str) -> Reading:
@@ -195,6 +240,11 @@ class Asks:
         row[layout.PM_ASK_NTH] = nth or 1
         row[layout.PM_ASK_BEFORE] = int(before)
         return row, self.bounds.get(event, self.firings) if each else 1
+
+
+def longest_word(letters: int) -> int:
+    """Letters of the longest word of events that one number tells: digits of the base letters + 1."""
+    return int(_WORD_BITS / math.log2(letters + 1))
 
 
 def _plain_values(at: str | At | None, count: int) -> tuple[str, Floats] | None:

@@ -92,7 +92,12 @@ class FlatScene:
     @property
     def out_columns(self) -> int:
         """Columns of the results' `out`."""
-        return sum(ask.count for ask in self.asks)
+        return sum(ask.columns for ask in self.asks)
+
+    @property
+    def ask_rows(self) -> int:
+        """Rows of the table of asks, and so columns of the results' `reason`."""
+        return sum(ask.rows for ask in self.asks)
 
     def rows(self, table: int) -> npt.NDArray[np.int32]:
         """One table [rows, its columns], integers as planemotion.h says."""

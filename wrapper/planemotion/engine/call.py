@@ -52,7 +52,7 @@ def run_cases(
     count = len(cases)
     results = CaseResults(
         out=np.full((count, flat.out_columns), np.nan),
-        reason=np.zeros((count, len(flat.asks)), np.int32),
+        reason=np.zeros((count, flat.ask_rows), np.int32),
         status=np.zeros(count, np.int32),
         where=np.full((count, layout.PM_WHERE_COLUMNS), layout.PM_NONE, np.int32),
         detail=np.full((count, layout.PM_DETAIL_COLUMNS), np.nan),
@@ -61,7 +61,7 @@ def run_cases(
         found=np.full((count, layout.PM_FOUND_COLUMNS), np.nan),
         param=cases,
         error=np.full((count, max(flat.out_columns, 1)), np.nan),
-        margin=np.full((count, max(len(flat.asks), 1)), np.nan),
+        margin=np.full((count, max(flat.ask_rows, 1)), np.nan),
         trust=np.full((count, layout.PM_TRUSTS), np.nan),
     )
     if count == 0:

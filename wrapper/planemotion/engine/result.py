@@ -18,16 +18,20 @@ from ..language.units import factor
 from .kernel import AUDITS, REASONS, route_name, status_name
 from .messages import message
 from .outcome import CaseResults
+from .words import read_words, spelled
 
 # Counts that say something only where a parameter is sought.
 _OF_FINDS = ("PM_COUNT_RUNS", "PM_COUNT_FOUND")
 
-Answer = float | list[float | None] | None
+Estimate = float | list[float | None] | None
+Answer = Estimate | str
 
 
 @dataclass(frozen=True)
 class AskValue:
     """The answer to one ask: `value` in `unit`; None, with the `reason`, where there is none.
+
+    The answer which events happened is a text, "" if none did.
 
     A list has None for each value that was not reached; `reason` then says why, and also where an event
     fired more often than the list "each EVENT" is long.  `error`: the estimated
@@ -39,7 +43,7 @@ class AskValue:
     value: Answer
     unit: str
     reason: str = ""
-    error: Answer = None
+    error: Estimate = None
     margin: float | None = None
 
     def to_json(self) -> dict[str, Any]:
@@ -172,16 +176,31 @@ def answer_rows(result: RunResult) -> list[tuple[str, str, str, str]]:
 def answers(flat: FlatScene, results: CaseResults, i: int) -> dict[str, AskValue]:
     """The answers of case i in the units of the asks."""
     return {
-        column.key: answer(
+        column.key: _word(column, results, i)
+        if column.letters
+        else answer(
             column,
             results.out[i],
-            int(results.reason[i, index]),
+            int(results.reason[i, column.row]),
             int(results.status[i]),
             results.error[i],
-            float(results.margin[i, index]),
+            float(results.margin[i, column.row]),
         )
-        for index, column in enumerate(flat.asks)
+        for column in flat.asks
     }
+
+
+def _word(column: Asked, results: CaseResults, i: int) -> AskValue:
+    """Which events happened, as text."""
+    words, reasons = read_words(column, results)
+    value, reason = float(words[i]), int(reasons[i])
+    rows = slice(column.row, column.row + column.rows)
+    text = REASONS.get(reason, f"reason {reason}") if reason else ""
+    if reason == layout.PM_REASON_CUT:
+        text = f"more events fired than a word has letters, which are {column.longest}"
+    known = [one for one in results.margin[i, rows].tolist() if not math.isnan(one)]
+    spelt = None if math.isnan(value) else spelled(value, column.letters)
+    return AskValue(spelt, column.unit, text, None, _finite(min(known, default=math.nan)))
 
 
 def answer(
@@ -215,7 +234,7 @@ def answer(
     )
 
 
-def _error(errors: list[float | None], is_list: bool) -> Answer:
+def _error(errors: list[float | None], is_list: bool) -> Estimate:
     """The errors as the values are given; None where nothing was estimated."""
     if all(error is None for error in errors):
         return None
@@ -364,6 +383,8 @@ def _number(value: float | None) -> str:
 def _value_text(ask: AskValue) -> str:
     if isinstance(ask.value, list):
         return "[" + ", ".join("-" if value is None else f"{value:.9g}" for value in ask.value) + "]"
+    if isinstance(ask.value, str):
+        return f'"{ask.value}"'
     return "-" if ask.value is None else f"{ask.value:.9g}"
 
 

@@ -272,7 +272,8 @@ ASK_WORDS = ("of", *ASK_EXTREMES, *ASK_INTEGRALS)
 class Ask(Table):
     """`of` an expression `at` an instant, the extreme `max` or `min` of one, or what it does over the time.
 
-    `integral`, `mean` and `rms` are those of the time in which the condition `during` holds."""
+    `integral`, `mean` and `rms` are those of the time in which the condition `during` holds.  `events`: in
+    place of an expression, which of these events happened, in which order."""
 
     of: Number | None = None
     max: Number | None = None
@@ -280,6 +281,7 @@ class Ask(Table):
     integral: Number | None = None
     mean: Number | None = None
     rms: Number | None = None
+    events: Annotated[tuple[str, ...], BeforeValidator(read_sequence)] | None = None
     during: Text | None = None
     at: Annotated[str | At, BeforeValidator(read_at)] | None = None
     unit: Text | None = None
@@ -294,6 +296,7 @@ class Ask(Table):
     def text(self) -> str:
         """What was asked, for people: "max hoop.omega", "-sphere.omega at before strike 1"."""
         words = [("" if word == "of" else f"{word} ", getattr(self, word)) for word in ASK_WORDS]
+        words.append(("which happened of ", ", ".join(self.events) if self.events else None))
         words.append(("during ", self.during))
         if isinstance(self.at, At):
             words += [("at max ", self.at.max), ("at min ", self.at.min), ("at each ", self.at.each)]

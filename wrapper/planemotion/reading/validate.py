@@ -266,10 +266,13 @@ def _check_law(contact: Contact, path: str) -> None:
 
 
 def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
-    given = [key for key in ASK_WORDS if getattr(ask, key) is not None]
+    known = (*ASK_WORDS, "events")
+    given = [key for key in known if getattr(ask, key) is not None]
     if len(given) != 1:
-        wanted = f"one of {', '.join(ASK_WORDS)} is wanted"
+        wanted = f"one of {', '.join(known)} is wanted"
         raise SceneError(wanted + (f", not {' and '.join(given)}" if given else ""), path=path)
+    if ask.events is not None:
+        _check_word(data, ask, path)
     if given[0] in ASK_EXTREMES and ask.at is not None:
         raise SceneError(
             f"an extreme over the run has no instant; write of = ..., at = {{ {given[0]} = ... }}",
@@ -290,6 +293,22 @@ def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
             )
     if ask.run is not None and ask.run not in data.runs:
         raise SceneError(words.unknown(ask.run, tuple(data.runs), "run"), path=f"{path}.run")
+
+
+def _check_word(data: SceneData, ask: Ask, path: str) -> None:
+    """Of an ask which events happened."""
+    for key in ("at", "unit"):
+        if getattr(ask, key) is not None:
+            reason = "an ask which events happened is about the whole run, and has no unit"
+            raise SceneError(reason, path=f"{path}.{key}", value=getattr(ask, key))
+    assert ask.events is not None
+    if not ask.events:
+        raise SceneError("names of events are wanted", path=f"{path}.events", value="[]")
+    for index, name in enumerate(ask.events):
+        if name not in data.events:
+            raise SceneError(words.unknown(name, data.events, "event"), path=f"{path}.events[{index}]")
+        if name in ask.events[:index]:
+            raise SceneError(f'"{name}" stands there twice', path=f"{path}.events[{index}]")
 
 
 def _check_find(data: SceneData, find: Find, path: str, run: str | None) -> None:

@@ -12,7 +12,9 @@ _DIGITS = 8  # significant, of an answer
 
 
 def value_text(ask: AskValue) -> str:
-    """The number, or the first of a list; "-" where there is none."""
+    """The number, the word of events, or the first of a list; "-" where there is none."""
+    if isinstance(ask.value, str):
+        return f'"{ask.value}"'
     if not isinstance(ask.value, list):
         return _number(ask.value)
     shown = [_number(value) for value in ask.value[:_SHOWN_OF_LIST]]

@@ -89,7 +89,7 @@ class Study:
     @property
     def max_chunk(self) -> int:
         """Cases that are computed at once at most."""
-        case_bytes = 8 * sum(ask.count for _, _, ask in self.asks) * (1 + self.data.solve.estimate)
+        case_bytes = 8 * sum(ask.columns for _, _, ask in self.asks) * (1 + self.data.solve.estimate)
         return max(1, min(_MAX_CASES, _MAX_BYTES // max(case_bytes, 1)))
 
     def compute(
@@ -138,8 +138,8 @@ class Study:
 
 
 def _asks_of(data: SceneData, flats: Sequence[FlatScene]) -> tuple[tuple[int, int, Asked], ...]:
-    """The asks in the order of the file, each with its run and its number there."""
-    asks = [(run, index, ask) for run, flat in enumerate(flats) for index, ask in enumerate(flat.asks)]
+    """The asks in the order of the file, each with its run and its row there."""
+    asks = [(run, ask.row, ask) for run, flat in enumerate(flats) for ask in flat.asks]
     order = {key: i for i, key in enumerate(data.ask)}
     return tuple(sorted(asks, key=lambda one: order[one[2].key]))
 

@@ -4,7 +4,8 @@ There is one dimension per swept parameter (those of a zip share the first one's
 
     the swept parameters     coordinates, in the unit of the grid
     each ask                 float, in its unit, NaN without an answer; a list has one more dimension,
-                             KEY_at (the values of its grid) or KEY_number
+                             KEY_at (the values of its grid) or KEY_number.  An answer which events happened
+                             is a whole number; its attribute `letters` names them, and `words` spells it
     KEY_error                its estimated absolute error, likewise (not with solve.estimate = false)
     margin                   least distance of a decision on the way from its threshold, over its error: below
                              1 counts and outcomes are not certain; infinite if there was none (likewise)
@@ -152,6 +153,8 @@ class Layout:
         of_run = (*grid, "run") if self.runs else grid
         for ask in self.asks:
             attributes = {"units": ask.unit or "1", "long_name": ask.text}
+            if ask.letters:
+                attributes["letters"] = " ".join(ask.letters)
             if self.estimate:
                 attributes["ancillary_variables"] = error_name(ask.key)
             yield Variable(ask.key, (*grid, *list_dims(ask)), np.float64, attributes)

@@ -19,6 +19,7 @@ from ..compile.asks import Asked
 from ..compile.flatten import FlatScene
 from ..engine import call, messages
 from ..engine.outcome import CaseResults
+from ..engine.words import read_words
 from .block import Block
 
 
@@ -28,7 +29,7 @@ class Solver:
 
     `names`: the swept parameters; `flats`: the tables of each run, `runs` their names (none if there is one
     without a name) and `own` the parameters that each sets itself; `asks`: in the order of the file, each
-    with its run and its number there; `estimate`: whether errors are estimated.
+    with its run and its row there; `estimate`: whether errors are estimated.
     """
 
     names: tuple[str, ...]
@@ -78,9 +79,12 @@ class Solver:
         value = self._columns([result.out for result in results])
         error = self._columns([result.error for result in results])
         reason = np.empty((len(run_status), len(self.asks)), np.int8)
-        for i, (run, index, _) in enumerate(self.asks):
-            reason[:, i] = results[run].reason[:, index]
+        for i, (run, row, ask) in enumerate(self.asks):
+            reason[:, i] = results[run].reason[:, row]
             value[i][np.isinf(value[i])] = np.nan
+            if ask.letters:
+                value[i][:, 0], reason[:, i] = read_words(ask, results[run])
+                error[i] *= np.nan
         status = _worst(run_status)
         return Block(
             value=_side_by_side(value, len(status)),

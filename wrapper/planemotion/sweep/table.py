@@ -21,6 +21,7 @@ import numpy.typing as npt
 from .._layout import PM_TRUST_MARGIN
 from ..base.arrays import Floats
 from ..base.files import appearing, disk_errors
+from ..engine.words import spelled
 from .layout import REASON_WORDS, STATUS_WORDS, TRUST_WORDS, error_name
 from .netcdf import hyperslabs, opened
 
@@ -146,6 +147,11 @@ class _Columns:
             yield _Column(values[along].tolist(), map(written.__getitem__, along))
         for key in self._asks:
             numbers = self._read(key, first, count)
+            letters = self._letters(key)
+            if letters:
+                words = [spelled(word, letters) for word in numbers.tolist()]
+                yield _Column(words, map(_field, words))
+                continue
             yield from map(_Column.exact, numbers.T.tolist() if self._is_list(key) else [numbers.tolist()])
         if self._has_errors:
             yield from (_Column.short(self._greatest_error(key, first, count)) for key in self._asks)
@@ -173,6 +179,10 @@ class _Columns:
 
     def _is_list(self, key: str) -> bool:
         return len(self._variables[key].dimensions) > len(self._grid)
+
+    def _letters(self, key: str) -> tuple[str, ...]:
+        """The events of an answer which of them happened; none of another."""
+        return tuple(str(self._variables[key].attrs.get("letters", "")).split())
 
     def _reasons(self, first: int, count: int) -> list[str]:
         """Why something is missing: what was wrong with the case, or else with each ask."""
