@@ -55,6 +55,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->least, ntrigger),
         PM_ARRAY(e->greatest, ntrigger),
         PM_ARRAY(e->last, ntrigger),
+        PM_ARRAY(e->came, ntrigger),
         PM_ARRAY(e->spent, ncontact),
         PM_ARRAY(e->series, ncontact),
         PM_ARRAY(e->acted, nevent),
@@ -113,6 +114,9 @@ static void add_triggers(pm_workspace *w)
         f->held = w->firing.fired[i];
         f->rested = f->held ? INFINITY : w->event->last[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
+        const int goes_on = w->result.count[PM_COUNT_PHASES] > 0 &&
+                            w->result.count[PM_COUNT_JUMPS] == w->event->came_jumps;
+        f->left = goes_on && !f->held && !f->every ? w->event->came[i] : 0;
     }
 }
 

@@ -46,7 +46,7 @@ typedef struct pm_event_function {
     int below;      /* of a gap: the mark was below its edge when the phase began */
     double sunk;    /* of a gap: by how much it was below zero as it parted; from there it counts */
     double since;   /* x from which it is held */
-    double left;    /* its last sample of the step before in this phase; 0: there is none */
+    double left;    /* its last sample beyond rounding, in a step before; 0: there is none */
     double rested;  /* of a trigger: its greatest size in the last step before the phase */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
     double
@@ -92,6 +92,8 @@ typedef struct pm_event_set {
     pm_bounce_series *series; /* [ncontact] */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     double *last;           /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
+    double *came;           /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */
+    int64_t came_jumps;     /* PM_COUNT_JUMPS then */
     unsigned char *acted;   /* [nevent] its actions are carried out at this instant */
     void *solver;           /* gsl_root_fsolver */
     pm_gap_culling culling; /* contacts out of reach of the step */

@@ -19,6 +19,7 @@
 #include "events/edge_passage.h"
 #include "events/event_parts.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "numerics/chebyshev.h"
@@ -165,6 +166,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
     pm_event_function *f = &w->event->function[i];
     const double begin = w->step.begin, h = w->step.end - begin;
     const int resolved = pm_event_samples_resolved(&w->step, w->event, i, of);
+    const int since_began = w->event->first_step && a == w->event->place[0];
     for (int k = PM_LEAVING_HALVINGS; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
         if (place - a <= PM_LEAVING_LEAST * fabs(a))
@@ -173,7 +175,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
-        const int now = isfinite(f->rested) && g * f->direction > 0;
+        const int now = (isfinite(f->rested) && g * f->direction > 0) || (since_began && crosses(f, f->left, g));
         *x = now ? (pm_span){a, a, 0, 0} : (pm_span){place, b, g, gb};
         return now || crosses(f, g, gb);
     }
@@ -190,11 +192,12 @@ static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const p
     f->since = from;
 }
 
-/* A step that ends on a zero, but for rounding, may end before it where the next begins beyond it. */
-static void join(const pm_event_set *e, const pm_event_function *f, pm_event_course *of)
+/* A step that ends on a zero, but for rounding, may end before it where the next begins beyond it: that begins where the last
+ * one came from. */
+static void join(const pm_event_function *f, pm_event_course *of)
 {
     const int apart = (f->left > 0 && of->g[0] <= 0) || (f->left < 0 && of->g[0] >= 0);
-    if (!e->first_step && !f->held && apart) of->g[0] = f->left;
+    if (!f->held && apart) of->g[0] = copysign(DBL_MIN, f->left);
 }
 
 /* Moves *first on to the node from which its side is known (n: none); 1 if there is a bracket before it. */
@@ -263,7 +266,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;
-    if (pm_event_changes_sign(f) && first == 0) join(w->event, f, &of);
+    if (pm_event_changes_sign(f) && first == 0) join(f, &of);
     if (pm_event_changes_sign(f)) hold_if_on_zero(w->event, f, &of, from);
     if (enter(w, i, &of, &first, x)) return 1;
     return (f->edge != PM_NONE || !stays_away(&of)) && search(w, i, &of, first, from, x);

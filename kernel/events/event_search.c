@@ -6,6 +6,7 @@
 #include "events/event_search.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "elements/capture.h"
 #include "events/event_parts.h"
@@ -103,14 +104,39 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
     return pm_event_locate_settle(w, earliest, &x, first, taken);
 }
 
+/* The last sample of function i not after `place` that is beyond rounding, or what it was before; 0 if it has fired since. */
+static double last_side(const pm_step *step, pm_event_set *e, int i, double place)
+{
+    const pm_event_function *f = &e->function[i];
+    const double fired = f->held ? f->since : -INFINITY;
+    pm_event_course of;
+    pm_event_samples_take(step, e, i, &of);
+    for (int k = of.n - 1; k >= 0; k--)
+        if (e->place[k] <= place && e->place[k] > fired && fabs(of.g[k]) > PM_ON_ZERO * of.biggest)
+            return of.g[k];
+    return f->held ? 0 : f->left;
+}
+
+void pm_event_search_keep_sides(pm_workspace *w, double first)
+{
+    pm_event_set *e = w->event;
+    memset(e->came, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER] * sizeof(double));
+    e->came_jumps = w->result.count[PM_COUNT_JUMPS];
+    for (int i = 0; i < e->ntrigger; i++)
+        e->came[e->function[i].index] = last_side(&w->step, e, i, first);
+}
+
 void pm_event_search_leave(const pm_step *step, pm_event_set *e)
 {
     const int last = step->nodes->n - 1;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(e, f)) continue;
-        f->left = pm_event_of_sample(f, pm_event_samples(e, i)[last]);
-        if (fabs(f->left) > f->slack) f->held = 0;
+        f->left = last_side(step, e, i, INFINITY);
+        pm_event_course of;
+        pm_event_samples_take(step, e, i, &of);
+        const double rounding = pm_event_changes_sign(f) ? PM_ON_ZERO * of.biggest : 0;
+        if (fabs(of.g[last]) > fmax(f->slack, rounding)) f->held = 0;
         f->since = 0;
     }
 }

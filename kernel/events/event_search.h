@@ -18,6 +18,8 @@ int pm_event_samples_resolve(const pm_step *step, struct pm_event_set *event, in
 /* Locates the functions, which have been sampled, that fire first after `from`: w->event->hit, *first the place (INFINITY:
  * none), *taken where w->probe holds an exact state. */
 int pm_event_search_first(pm_workspace *w, double from, double *first, double *taken);
+/* The phase ends at `first`, if that is in the step: from which side its triggers came there. */
+void pm_event_search_keep_sides(pm_workspace *w, double first);
 /* The step is over: zeros that were held and have been left count again. */
 void pm_event_search_leave(const pm_step *step, struct pm_event_set *e);
 

@@ -253,6 +253,7 @@ static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
     if (status || w->event->nsampled == 0) return status;
     if (w->phase.route->sampled) w->phase.route->sampled(w);
     status = pass_marks(w, first, taken, ended);
+    pm_event_search_keep_sides(w, *first);
     if (!status) pm_event_search_leave(&w->step, w->event);
     return status;
 }

@@ -112,8 +112,14 @@ FAULTS = [
     Fault(
         "missed root: a step ends before it, the next begins behind it",
         "events/event_bracket.c",
-        "!e->first_step && !f->held && apart",
-        "0 && apart",
+        "if (!f->held && apart)",
+        "if (0 && apart)",
+    ),
+    Fault(
+        "missed root: a phase ends on it, the next leaves it on the other side",
+        "events/event_bracket.c",
+        "|| (since_began && crosses(f, f->left, g))",
+        "",
     ),
     Fault(
         "missed root: leaves its zero on the other side",

@@ -19,12 +19,14 @@ if TYPE_CHECKING:
     from .engine.result import AskValue, RunResult
     from .engine.words import words
     from .file import load, load_text
+    from .mapping import OutcomeMap
     from .reporting import Report
     from .scene import Scene
 
 __all__ = [
     "Animation",
     "AskValue",
+    "OutcomeMap",
     "Picture",
     "PlanemotionError",
     "Report",
@@ -42,6 +44,7 @@ __all__ = [
 _HOME = {
     "Animation": "animate",
     "AskValue": "engine.result",
+    "OutcomeMap": "mapping",
     "Picture": "draw",
     "PlanemotionError": "base.errors",
     "Report": "reporting",

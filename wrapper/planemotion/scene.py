@@ -15,7 +15,7 @@ from __future__ import annotations
 import copy
 import os
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from .compile.flatten import FlatScene
     from .draw import Picture
     from .engine.result import RunResult
+    from .mapping import OutcomeMap
     from .reporting import Report
     from .sweep.run import ShardDone
 
@@ -420,6 +421,33 @@ class Scene:
 
         shard = Shard.read(f"{number}/{of}")
         return sweep_shard(self, out, shard, workers=workers, progress=progress, executor=executor)
+
+    def map(
+        self,
+        *,
+        of: str | Sequence[str] | None = None,
+        tolerance: float | None = None,
+        workers: int | None = None,
+        progress: Callable[[int], None] | None = None,
+        **grids: Any,
+    ) -> OutcomeMap:
+        """Which outcome there is over two parameters, and the boundaries between the outcomes.
+
+            scene.map(of="overturned", a={"from": 0, "to": 2, "num": 17}, w={...}).save("map.png")
+
+        `grids`: two grids from which it starts, else those of [sweep]; an island that none of their places
+        meets is not seen.  `of`: asks that tell outcomes apart (default: all words of events), `tolerance`:
+        how near the boundaries are followed, as a part of both ranges (1e-3); else as [sweep] refine says.
+        `progress(done)` is called with the number of runs.  Raises SceneError if no map can be made.
+        """
+        from .mapping import outcome_map
+
+        sweep = {**({} if grids else self._raw.get("sweep", {})), **plain(grids)}
+        said = {"of": None if of is None else plain(of), "tolerance": tolerance}
+        given = {key: value for key, value in said.items() if value is not None}
+        refine = {**self._raw.get("sweep", {}).get("refine", {}), **given}
+        scene = type(self).from_table({**self._raw, "sweep": {**sweep, "refine": refine}}, file=self.file)
+        return outcome_map(scene, workers, progress)
 
     # ---- changing ----
 

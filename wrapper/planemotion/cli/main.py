@@ -1,4 +1,4 @@
-"""The command line: `planemotion run | sweep | merge | check | explain | plot | draw | animate | report |
+"""The command line: `planemotion run | sweep | merge | map | check | explain | plot | draw | animate | report |
 schema | new`.
 
 Exit status: 0 all is well; 1 a run failed or ended early; 2 what was given is wrong (a file, a key, a value,
@@ -16,6 +16,7 @@ from typing import Any
 import click
 
 from ..base.errors import PlanemotionError, SceneHint, SimulationError
+from .map import map_
 from .new import new
 from .options import FAILED, INTERRUPTED, WRONG, say
 from .pictures import animate, draw, plot
@@ -79,7 +80,7 @@ def main() -> None:
     """
 
 
-for _command in (run, sweep, merge, check, explain, plot, draw, animate, report, schema, new):
+for _command in (run, sweep, merge, map_, check, explain, plot, draw, animate, report, schema, new):
     main.add_command(_command)
 
 

@@ -13,6 +13,8 @@ from typing import Any, TypeAlias
 
 Value: TypeAlias = str | int | float | bool
 # What a distribution is given by.
+# What a sweep has beside its grids.
+SWEEP_KEYS = ("zip", "design", "refine")
 DISTRIBUTIONS: Mapping[str, tuple[str, ...]] = {
     "uniform": ("least", "greatest"),
     "normal": ("mean", "standard deviation"),
@@ -134,6 +136,14 @@ def read_sequence(written: Any) -> tuple[str, ...]:
     return tuple(texts)
 
 
+def read_named(written: Any) -> tuple[str, ...]:
+    """A name, or a list of names."""
+    names = [written] if isinstance(written, str) else written
+    if not isinstance(names, list | tuple) or not names or not all(isinstance(name, str) for name in names):
+        raise ValueError('names are wanted, such as ["strike", "tip"]')
+    return tuple(names)
+
+
 def read_stops(written: Any) -> tuple[str, ...]:
     """Points and rims that a cord goes to, in order."""
     if not isinstance(written, list | tuple) or not all(isinstance(text, str) for text in written):
@@ -204,15 +214,16 @@ def read_swept(written: Any) -> Any:
 
 
 def read_sweep(written: Any) -> Any:
-    """Grids by parameter, `zip` and `design` apart."""
+    """Grids by parameter, and apart from them what else a sweep has."""
     groups = written.get("zip", [])
     lists = isinstance(groups, list | tuple) and all(isinstance(group, list | tuple) for group in groups)
     if not lists or not all(isinstance(name, str) for group in groups for name in group):
         raise ValueError('zip is a list of lists of parameters, such as [["m", "r"]]')
     return {
-        "grids": {name: grid for name, grid in written.items() if name not in ("zip", "design")},
+        "grids": {name: grid for name, grid in written.items() if name not in SWEEP_KEYS},
         "zip": tuple(tuple(group) for group in groups),
         "design": written.get("design"),
+        "refine": written.get("refine"),
     }
 
 

@@ -27,6 +27,7 @@ from .readers import (
     read_driven_place,
     read_friction,
     read_grid,
+    read_named,
     read_names,
     read_numbers,
     read_place,
@@ -228,6 +229,13 @@ class Design(Table):
     seed: Annotated[int, Field(strict=True, ge=0)] = 0
 
 
+class Refine(Table):
+    """How a map of outcomes over two parameters is refined from the grids of a sweep."""
+
+    of: Annotated[tuple[str, ...], BeforeValidator(read_named)] | None = None
+    tolerance: Annotated[float, Field(gt=0, lt=1)] = 1e-3
+
+
 class At(Table):
     """An instant that is not an event: where an expression is extreme, or takes given values."""
 
@@ -281,7 +289,7 @@ class Ask(Table):
     integral: Number | None = None
     mean: Number | None = None
     rms: Number | None = None
-    events: Annotated[tuple[str, ...], BeforeValidator(read_sequence)] | None = None
+    events: Annotated[tuple[str, ...], BeforeValidator(read_named)] | None = None
     during: Text | None = None
     at: Annotated[str | At, BeforeValidator(read_at)] | None = None
     unit: Text | None = None
@@ -350,4 +358,5 @@ class Sweep(Table):
 
     grids: dict[str, SweptOf] = {}
     design: Design | None = None
+    refine: Refine | None = None
     zip: tuple[tuple[str, ...], ...] = ()

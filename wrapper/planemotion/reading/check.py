@@ -13,7 +13,7 @@ from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
 from ..language.tree import WRITTEN_FUNCTIONS
 from ..model import words
-from ..model.readers import DISTRIBUTIONS
+from ..model.readers import DISTRIBUTIONS, SWEEP_KEYS
 from ..model.tables import (
     Action,
     Ask,
@@ -28,6 +28,7 @@ from ..model.tables import (
     Grid,
     Ground,
     Line,
+    Refine,
     Row,
     Solve,
     Spin,
@@ -39,6 +40,9 @@ from .scene import SceneData
 NOT_BUILT: Mapping[str, Mapping[str, str]] = {
     "contacts": {"table": "spheres on a table"},
 }
+
+# Tables of a sweep beside its grids, and what a message calls them.
+_OF_SWEEP = {"design": (Design, "a design"), "refine": (Refine, "a refinement")}
 
 # Unknown keys whose hint is more than another word.
 _HINTS: Mapping[str, str] = {
@@ -236,10 +240,11 @@ def _instants(raw: Mapping[str, Any], faults: Faults) -> None:
     for name, ask in words.table(raw, "ask").items():
         _each(faults, _ask, ask, f"ask.{name}")
     for name, grid in words.table(raw, "sweep").items():
-        if name not in ("zip", "design"):
+        if name not in SWEEP_KEYS:
             _each(faults, _swept, grid, f"sweep.{name}")
-    if isinstance(words.table(raw, "sweep").get("design"), Mapping):
-        _each(faults, _design, raw["sweep"]["design"], "sweep.design")
+    for key, (model, what) in _OF_SWEEP.items():
+        if isinstance(words.table(raw, "sweep").get(key), Mapping):
+            _keys(raw["sweep"][key], model.file_keys(), f"sweep.{key}", what)
 
 
 def _event(event: Any, path: str) -> None:
@@ -285,10 +290,6 @@ def _swept(swept: Any, path: str) -> None:
         drawn = set(DISTRIBUTIONS).intersection(swept)
         keys = (*DISTRIBUTIONS, "within") if drawn else Grid.file_keys()
         _keys(swept, keys, path, "a distribution" if drawn else "a grid")
-
-
-def _design(design: Mapping[str, Any], path: str) -> None:
-    _keys(design, Design.file_keys(), path, "a design")
 
 
 def _grid(grid: Any, path: str) -> None:

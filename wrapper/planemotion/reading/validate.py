@@ -203,6 +203,9 @@ def _check_more(data: SceneData) -> None:
         if data.sweep.grids[name].is_drawn:
             raise SceneError(f'"{name}" has a distribution; what is drawn moves together', path="sweep.zip")
     _check_design(data.sweep)
+    for index, name in enumerate((data.sweep.refine and data.sweep.refine.of) or ()):
+        if name not in data.ask:
+            raise SceneError(words.unknown(name, data.ask, "ask"), path=f"sweep.refine.of[{index}]")
 
 
 def _check_design(sweep: Sweep) -> None:
@@ -302,8 +305,6 @@ def _check_word(data: SceneData, ask: Ask, path: str) -> None:
             reason = "an ask which events happened is about the whole run, and has no unit"
             raise SceneError(reason, path=f"{path}.{key}", value=getattr(ask, key))
     assert ask.events is not None
-    if not ask.events:
-        raise SceneError("names of events are wanted", path=f"{path}.events", value="[]")
     for index, name in enumerate(ask.events):
         if name not in data.events:
             raise SceneError(words.unknown(name, data.events, "event"), path=f"{path}.events[{index}]")

@@ -26,7 +26,7 @@ _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
     ),
     "Events and questions": (tables.Event, tables.Action, tables.Ask, tables.At),
     "Studies and settings": (
-        *(tables.Find, tables.Sweep, tables.Swept, tables.Design, tables.Grid),
+        *(tables.Find, tables.Sweep, tables.Swept, tables.Design, tables.Refine, tables.Grid),
         tables.Solve,
     ),
 }

@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 from ..kinds import KINDS
 from ..model import readers
 from ..model.element import Kind, Table
-from ..model.tables import Design, Find, Sweep, Swept
+from ..model.tables import Design, Find, Refine, Sweep, Swept
 from ..reading.scene import SceneData
 from .meaning import meaning_of
 
@@ -46,6 +46,7 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_value: _VALUE,
     readers.read_numbers: {"type": "array", "items": _VALUE},
     readers.read_text: _TEXT,
+    readers.read_named: _TEXTS,
     readers.read_vector: _VECTOR,
     readers.read_value_or_vector: {"anyOf": [_VALUE, _VECTOR]},
     readers.read_point: {
@@ -179,7 +180,11 @@ class _Definitions:
         """Grids by parameter, and zip."""
         zipped = _said(Sweep, "zip", {"type": "array", "items": _NAMES})
         grid = self._read(readers.read_swept, Swept)
-        properties = {"zip": zipped, "design": _said(Sweep, "design", self.table(Design))}
+        tables = {"design": Design, "refine": Refine}
+        properties = {
+            "zip": zipped,
+            **{key: _said(Sweep, key, self.table(model)) for key, model in tables.items()},
+        }
         return {"type": "object", "properties": properties, "additionalProperties": grid}
 
     def _object(self, model: type[Table], fields: Mapping[str, FieldInfo]) -> Schema:
@@ -226,7 +231,7 @@ class _Definitions:
             return {"type": "array", "items": self._of(parts[0])}
         if isinstance(annotation, type) and issubclass(annotation, Table):
             return self.reference(annotation)
-        return {"type": {bool: "boolean", int: "integer", str: "string"}[annotation]}
+        return {"type": {bool: "boolean", int: "integer", float: "number", str: "string"}[annotation]}
 
     def _read(self, reader: Any, annotation: Any) -> Schema:
         if reader in _WHOLE:
