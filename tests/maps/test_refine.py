@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 
-from planemotion.base.arrays import Floats
+from planemotion.base.arrays import Floats, Ints
 from planemotion.base.errors import SceneError
 from planemotion.maps.lattice import Places, Side, halvings_for
 from planemotion.maps.looks import Looks
@@ -16,7 +18,8 @@ from planemotion.maps.refine import Refined, refine
 from planemotion.sweep.plan import Axis
 
 # Outcomes [n] of points (x, y) of the unit square.
-Function = Callable[[Floats, Floats], Floats]
+Seen = npt.NDArray[Any]
+Function = Callable[[Floats, Floats], Seen]
 TOLERANCE = 1e-3
 
 
@@ -29,7 +32,7 @@ class Mapped:
         self.side = Side(axis, steps, False)
         self.asked: list[Places] = []
 
-        def compute(places: Places) -> Floats:
+        def compute(places: Places) -> Ints:
             self.asked.append(places)
             x, y = self.side.part(places).T
             return np.asarray(function(x, y)).astype(np.int32)
@@ -99,7 +102,7 @@ def test_regions_that_meet_in_points(seed: int) -> None:
     """Nearest of nine points: straight boundaries, three of which meet here and there."""
     site = np.random.default_rng(seed).uniform(0, 1, (9, 2))
 
-    def nearest(x: Floats, y: Floats) -> Floats:
+    def nearest(x: Floats, y: Floats) -> Seen:
         return np.hypot(x[:, None] - site[:, 0], y[:, None] - site[:, 1]).argmin(axis=1)
 
     mapped = Mapped(nearest, n=16)
@@ -118,7 +121,7 @@ def test_regions_that_meet_in_points(seed: int) -> None:
 
 
 def test_a_band_thinner_than_the_start_grid() -> None:
-    """Where the band shows at one place of the grid it is followed to both ends; its two sides are two curves."""
+    """Where it shows at one place of the grid it is followed to both ends; both sides are curves."""
     mapped = Mapped(lambda x, y: np.abs(y - 0.5 - 0.1 * (x - 0.5)) < 0.004, n=8)
     x = np.linspace(0, 1, 200)
     for side in (-0.004, 0.004):
@@ -129,7 +132,7 @@ def test_a_band_thinner_than_the_start_grid() -> None:
 def test_an_island_that_the_start_grid_misses_is_not_seen() -> None:
     """As the docs say: the grid is the user's."""
 
-    def island(x: Floats, y: Floats) -> Floats:
+    def island(x: Floats, y: Floats) -> Seen:
         return np.hypot(x - 0.1875, y - 0.1875) < 0.05
 
     assert Mapped(island, n=8).curves == []
@@ -137,9 +140,9 @@ def test_an_island_that_the_start_grid_misses_is_not_seen() -> None:
 
 
 def test_a_side_that_smaller_cells_contradict() -> None:
-    """A tongue comes into a cell through the middle of a side whose ends agree: it is found from beside it."""
+    """A tongue comes into a cell through a side whose ends agree: it is found from beside it."""
 
-    def tongue(x: Floats, y: Floats) -> Floats:
+    def tongue(x: Floats, y: Floats) -> Seen:
         return (y < 0.26) | ((np.abs(x - 0.3) < 0.02) & (y < 0.7))
 
     mapped = Mapped(tongue, n=4)

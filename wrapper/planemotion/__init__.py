@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .animate import Animation
     from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
-    from .draw import Picture
     from .engine.result import AskValue, RunResult
     from .engine.words import words
     from .file import load, load_text
     from .mapping import OutcomeMap
+    from .pictures.picture import Picture
     from .reporting import Report
     from .scene import Scene
 
@@ -45,7 +45,7 @@ _HOME = {
     "Animation": "animate",
     "AskValue": "engine.result",
     "OutcomeMap": "mapping",
-    "Picture": "draw",
+    "Picture": "pictures.picture",
     "PlanemotionError": "base.errors",
     "Report": "reporting",
     "RunResult": "engine.result",

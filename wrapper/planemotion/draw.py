@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
-from dataclasses import dataclass
-from io import BytesIO
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .base.errors import SceneError
@@ -15,37 +11,11 @@ from .pen import page
 from .pen.theme import on_paper
 from .pictures import diagrams
 from .pictures.instants import instant_of
+from .pictures.picture import Picture
 from .pictures.scene import figure, start_of
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from .scene import Scene
-
-
-@dataclass(frozen=True)
-class Picture:
-    """A picture: a notebook shows it, `save` writes it; `figure` is that of matplotlib.
-
-    `fault`: why the scene is drawn only as it is written; "" if it could be assembled.
-    """
-
-    figure: Figure
-    fault: str = ""
-    theme: str = "light"
-
-    def save(self, out: str | os.PathLike[str]) -> Path:
-        """Writes it as PNG, SVG or PDF, by the ending.  Raises StudyError if it cannot be written."""
-        path = Path(out)
-        with page.style(self.theme):
-            page.save(self.figure, path)
-        return path
-
-    def _repr_png_(self) -> bytes:
-        made = BytesIO()
-        with page.style(self.theme):
-            self.figure.savefig(made, format="png", dpi=page.RESOLUTION)
-        return made.getvalue()
 
 
 def draw(

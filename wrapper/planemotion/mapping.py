@@ -9,17 +9,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .base.html import html_table
-from .draw import Picture
 from .maps import file
 from .maps.run import make_map
 from .pen import page
 from .pen.theme import on_paper, require_theme
 from .pictures.outcome_map import plot_outcome_map
+from .pictures.picture import Picture
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from .scene import Scene
+    from .reading.scene import WrittenScene
 
 
 @dataclass(frozen=True, repr=False)
@@ -77,7 +77,7 @@ class OutcomeMap:
 
 
 def outcome_map(
-    scene: Scene, workers: int | None = None, progress: Callable[[int], None] | None = None
+    scene: WrittenScene, workers: int | None = None, progress: Callable[[int], None] | None = None
 ) -> OutcomeMap:
     """The map of a study: see Scene.map."""
     return OutcomeMap(make_map(scene, workers=workers, **({"progress": progress} if progress else {})))

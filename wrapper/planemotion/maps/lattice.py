@@ -1,6 +1,6 @@
-"""The places at which a map can look: the grid of the study, each of its cells divided evenly, again and again.
+"""The places at which a map can look: the grid of the study, each of its cells halved again and again.
 
-A place is a pair of whole numbers; neighbours are apart by at most half the tolerance, as parts of the ranges.
+A place is a pair of whole numbers; neighbours are apart by at most half the tolerance.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Side:
 
     def part(self, place: npt.NDArray[Any]) -> Floats:
         """How far along the range places are, from 0 to 1."""
-        return np.interp(place, self._nodes, self._scaled)
+        return np.asarray(np.interp(place, self._nodes, self._scaled), np.float64)
 
     def place(self, part: Floats) -> Places:
         """The places next to these parts of the range."""

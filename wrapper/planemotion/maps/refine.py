@@ -1,9 +1,9 @@
 """Where a function over two parameters changes its outcome: cells that are divided along the boundaries.
 
-A cell whose corners agree is left as it is: an island that no place of the start grid meets is not seen.  Of the
-others each side with different ends is halved until the change lies between two neighbours of the lattice.  A
-cell with two such changes is done where the straight line between them is the boundary, to the tolerance, at
-three places along it: on either side of it, 0.6 of the tolerance away, the outcome is the one of that side.
+A cell whose corners agree is left as it is: an island that no place of the start grid meets is not seen.
+Of the others each side with different ends is halved until the change lies between two neighbours of the
+lattice.  A cell with two such changes is done where the straight line between them is the boundary, to the
+tolerance, at three places along it: on either side, 0.6 of the tolerance away, the outcome is the one there.
 What else there is (a bend, a third outcome, a second boundary) is divided into four, down to the tolerance.
 """
 
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -18,11 +19,11 @@ from ..base.arrays import Floats, Ints
 from .lattice import Places, Side
 from .looks import Looks
 
-# Where along the line between two changes the boundary is looked for, and how far beside it, of the tolerance.
+# Where along the line between two changes one looks, and how far beside it, of the tolerance.
 _ALONG = (0.25, 0.5, 0.75)
 _BESIDE = 0.6
-# Corners of a cell, counterclockwise, and its sides: from which corner to which (from the lower place to the higher).
-_CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+# Corners of a cell, counterclockwise; its sides: from which corner to which, from low to high.
+_CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.int64)
 _SIDES = ((0, 1), (1, 2), (3, 2), (0, 3))
 
 # A cell: its lower left place and its length.  An edge: its first place, along which axis, and its length.
@@ -112,9 +113,9 @@ class _Work:
 
     def _corners(self, cells: list[Cell]) -> list[tuple[int, int, int, int]]:
         at = np.array(cells, np.int64)
-        places = at[:, None, :2] + _CORNERS[None] * at[:, 2, None, None]
-        outcomes = self.look(places.reshape(-1, 2)).reshape(-1, 4)
-        return [tuple(row) for row in outcomes.tolist()]
+        places: Places = at[:, None, :2] + _CORNERS[None] * at[:, 2, None, None]
+        outcomes = self.look(places.reshape(-1, 2)).reshape(-1, 4).tolist()
+        return [(a, b, c, d) for a, b, c, d in outcomes]
 
     def _is_small(self, cell: Cell) -> bool:
         i, j, size = cell
@@ -211,7 +212,7 @@ class _Work:
             if edge not in self.divided:
                 continue
             seen = [corners[a], *self._inside(edge), corners[b]]
-            changes = sum(one != other for one, other in zip(seen, seen[1:], strict=False))
+            changes = sum(one != other for one, other in pairwise(seen))
             if changes > (corners[a] != corners[b]):
                 return True
         return False

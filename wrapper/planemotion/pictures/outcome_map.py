@@ -1,4 +1,4 @@
-"""A map of outcomes: areas in colours, the boundaries between them, and a legend with their parts of the area."""
+"""A map of outcomes: areas in colours, the boundaries between them, and a legend with their sizes."""
 
 from __future__ import annotations
 
@@ -95,4 +95,5 @@ def _short(name: str) -> str:
 def _words(dataset: xr.Dataset) -> str:
     cases = int(dataset.attrs["cases"])
     part = cases / float(dataset.attrs["cases_of_full_grid"])
-    return f"{cases} cases, {part:.2g} of a full grid; boundaries to {float(dataset.attrs['tolerance']):g} of the ranges"
+    tolerance = float(dataset.attrs["tolerance"])
+    return f"{cases} cases, {part:.2g} of a full grid; boundaries to {tolerance:g} of the ranges"

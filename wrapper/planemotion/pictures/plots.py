@@ -25,11 +25,11 @@ from .sweep import plot_sweep
 def plot(
     result: str | os.PathLike[str], out: str | os.PathLike[str] | None = None, theme: str = "light"
 ) -> Path:
-    """Draws the HDF5 file of a sweep, a map or a history; returns the path of the picture, PNG, SVG or PDF by its
-    ending (default: a PNG beside it), on "light" or "dark" paper.
+    """Draws the HDF5 file of a sweep, a map or a history; returns the path of the picture, PNG, SVG or PDF by
+    its ending (default: a PNG beside it), on "light" or "dark" paper.
 
-    Raises StudyError if `result` is none of them, the ending says no format, or the picture cannot be written;
-    nothing half-written stays.
+    Raises StudyError if `result` is none of them, the ending says no format, or the picture cannot be
+    written; nothing half-written stays.
     """
     source = Path(result)
     target = source.with_suffix(".png") if out is None else Path(out)

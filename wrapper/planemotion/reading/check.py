@@ -13,6 +13,7 @@ from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
 from ..language.tree import WRITTEN_FUNCTIONS
 from ..model import words
+from ..model.element import Table
 from ..model.readers import DISTRIBUTIONS, SWEEP_KEYS
 from ..model.tables import (
     Action,
@@ -42,7 +43,10 @@ NOT_BUILT: Mapping[str, Mapping[str, str]] = {
 }
 
 # Tables of a sweep beside its grids, and what a message calls them.
-_OF_SWEEP = {"design": (Design, "a design"), "refine": (Refine, "a refinement")}
+_OF_SWEEP: Mapping[str, tuple[type[Table], str]] = {
+    "design": (Design, "a design"),
+    "refine": (Refine, "a refinement"),
+}
 
 # Unknown keys whose hint is more than another word.
 _HINTS: Mapping[str, str] = {

@@ -180,7 +180,7 @@ class _Definitions:
         """Grids by parameter, and zip."""
         zipped = _said(Sweep, "zip", {"type": "array", "items": _NAMES})
         grid = self._read(readers.read_swept, Swept)
-        tables = {"design": Design, "refine": Refine}
+        tables: dict[str, type[Table]] = {"design": Design, "refine": Refine}
         properties = {
             "zip": zipped,
             **{key: _said(Sweep, key, self.table(model)) for key, model in tables.items()},
