@@ -23,6 +23,7 @@ from .base.bounded import check_table, shown
 from .base.errors import SceneError, SceneHint, located
 from .base.html import html_table
 from .geometry.parameters import override
+from .language.units import declared_unit
 from .model.tables import DEFAULT_G
 from .model.words import unknown
 from .reading.plain import literal, plain, plain_text
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from .engine.result import RunResult
     from .mapping import OutcomeMap
     from .reporting import Report
+    from .sweep.function import SceneFunction
     from .sweep.run import ShardDone
 
 # Tables that may be set beside parameters, as in "sweep.d.num".
@@ -421,6 +423,34 @@ class Scene:
 
         shard = Shard.read(f"{number}/{of}")
         return sweep_shard(self, out, shard, workers=workers, progress=progress, executor=executor)
+
+    def function(
+        self,
+        inputs: Sequence[str] | Mapping[str, str],
+        outputs: str | Sequence[str],
+        *,
+        workers: int | None = None,
+    ) -> SceneFunction:
+        """The scene as a function on arrays, for optimisers, analyses of sensitivity and the like.
+
+            f = scene.function(["d", "mass_ratio"], "omega_above")
+            f([[0.1, 1.0], [0.2, 1.0]])
+
+        `inputs`: parameters, in the units of the file, or a dict with the unit of each.  `outputs`: one ask
+        or several.  All rows of a call are computed together, on `workers` threads (default: all cores).
+        Raises SceneError for what is no parameter or no number.
+        """
+        from .sweep.function import SceneFunction
+
+        units = dict(inputs) if isinstance(inputs, Mapping) else self._units_of(inputs)
+        grids = {name: [f"1 {unit}".strip()] for name, unit in units.items()}
+        scene = type(self).from_table({**self._raw, "sweep": grids}, file=self.file)
+        return SceneFunction(scene, tuple(units), outputs, workers)
+
+    def _units_of(self, names: Sequence[str]) -> dict[str, str]:
+        """The units of parameters as the file gives them; "" of an expression."""
+        declared = {"g": DEFAULT_G, **self._raw.get("parameters", {})}
+        return {name: declared_unit(declared[name]) if name in declared else "" for name in names}
 
     def map(
         self,

@@ -309,3 +309,11 @@ class _UnitParser:
 
     def error(self, reason: str = "units are words joined by * and /, such as kg*m^2 or rad/s") -> SceneError:
         return SceneError(f'"{self.text}" is not a unit: {reason}')
+
+
+def declared_unit(written: str | float) -> str:
+    """The unit of a parameter as the file gives it; "" where it is an expression."""
+    try:
+        return parse_quantity(written).unit_text
+    except SceneError:
+        return ""

@@ -51,7 +51,8 @@ class Side:
 
     def part(self, place: npt.NDArray[Any]) -> Floats:
         """How far along the range places are, from 0 to 1."""
-        return np.asarray(np.interp(place, self._nodes, self._scaled), np.float64)
+        part: Any = np.interp(place, self._nodes, self._scaled)
+        return np.asarray(part, np.float64)
 
     def place(self, part: Floats) -> Places:
         """The places next to these parts of the range."""

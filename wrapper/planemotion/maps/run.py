@@ -19,14 +19,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..base.arrays import Floats, Ints
+from ..base.arrays import Ints
 from ..base.errors import SceneError
 from ..base.versions import versions
 from ..compile.asks import Asked
 from ..model.tables import Refine
 from ..sweep.cache import Kept
 from ..sweep.cases import Study
-from ..sweep.plan import Axis, plan_sweep
+from ..sweep.plan import plan_sweep
 from .file import KIND
 from .lattice import Places, Side, halvings_for
 from .looks import Looks
@@ -80,7 +80,8 @@ class _Map:
         if len(self.look) + len(places) > most:
             reason = f"the map needs more than {most} cases; allow more, or a greater sweep.refine.tolerance"
             raise SceneError(reason, path="solve.max_cases", value=most)
-        swept = np.stack([_si(side, places[:, k]) for k, side in enumerate(self.sides)], axis=1)
+        values = [side.axis.in_si(side.value(places[:, k])) for k, side in enumerate(self.sides)]
+        swept = np.stack(values, axis=1)
         step = self.study.max_chunk
         parts = []
         for first in range(0, len(swept), step):
@@ -88,10 +89,6 @@ class _Map:
             parts.append(self.outcomes.of_block(block))
             self._progress(len(self.look) + first + len(block))
         return np.concatenate(parts)
-
-
-def _si(side: Side, places: Places) -> Floats:
-    return Axis(side.axis.name, side.axis.unit, side.value(places)).si
 
 
 def _sides(study: Study, tolerance: float) -> tuple[Side, Side]:

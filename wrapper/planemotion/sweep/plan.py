@@ -15,8 +15,7 @@ from ..base.errors import SceneError
 from ..compile.designs import draw
 from ..compile.grids import read_grid
 from ..geometry.parameters import Parameters
-from ..language.units import factor, parse_quantity
-from ..model.readers import Value
+from ..language.units import declared_unit, factor
 from ..reading.scene import SceneData
 
 if TYPE_CHECKING:
@@ -38,7 +37,11 @@ class Axis:
     @cached_property
     def si(self) -> Floats:
         """The values [n] in SI, each with the bits that `parse_quantity` gives for its text."""
-        return self.values * factor(self.unit)[0]
+        return self.in_si(self.values)
+
+    def in_si(self, values: Floats) -> Floats:
+        """Other values [n] likewise."""
+        return values * factor(self.unit)[0]
 
 
 @dataclass(frozen=True)
@@ -103,7 +106,7 @@ def _plan(data: SceneData) -> SweepPlan:
     if not data.sweep.grids:
         raise SceneError("nothing to sweep; write for example sweep.d = { from, to, num }", path="sweep")
     dimensions = Parameters(data.parameters, tables=data.book).dimensions
-    units = {name: _declared_unit(data.parameters[name]) for name in data.sweep.grids}
+    units = {name: declared_unit(data.parameters[name]) for name in data.sweep.grids}
     drawn = {name: one for name, one in data.sweep.grids.items() if one.is_drawn}
     values = draw(data.sweep.design, drawn, units) if data.sweep.design else {}
     for name, grid in data.sweep.grids.items():
@@ -121,14 +124,6 @@ def _plan(data: SceneData) -> SweepPlan:
     groups = tuple(_grouped(axes, [*data.sweep.zip, *([tuple(drawn)] if drawn else [])]))
     at = next((i for i, group in enumerate(groups) if group[0].name in drawn), None)
     return SweepPlan(groups, at)
-
-
-def _declared_unit(raw: Value) -> str:
-    """Unit of a parameter as the file gives it; "" where it is an expression."""
-    try:
-        return parse_quantity(raw).unit_text
-    except SceneError:
-        return ""
 
 
 def _grouped(axes: Mapping[str, Axis], zips: Sequence[Sequence[str]]) -> Iterator[tuple[Axis, ...]]:
