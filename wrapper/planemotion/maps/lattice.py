@@ -47,7 +47,7 @@ class Side:
 
     @cached_property
     def _nodes(self) -> Floats:
-        return np.arange(len(self.axis.values)) * float(self.steps)
+        return self.steps * np.arange(len(self.axis.values), dtype=np.float64)
 
     def part(self, place: npt.NDArray[Any]) -> Floats:
         """How far along the range places are, from 0 to 1."""
