@@ -163,3 +163,47 @@ def test_messages(sweep: str, told: str) -> None:
     with pytest.raises(SceneError) as caught:
         load_text(FALL.format(sweep=sweep)).sweep()
     assert told in str(caught.value)
+
+
+@pytest.mark.parametrize("design", ["latin", "sobol", "random"])
+def test_correlated_parameters(design: str) -> None:
+    """Normal scores have the correlation that is given, and each parameter the distribution that it had."""
+    dataset = load_text(
+        FALL.format(
+            sweep=f"""
+            design = {{ {design} = 4096, seed = 3, correlation = [["h", "v", 0.7], ["v", "m", -0.4]] }}
+            h = {{ uniform = ["1 m", "3 m"] }}
+            v = {{ lognormal = ["2 m/s", 0.3] }}
+            m = {{ normal = ["10 kg", "1 kg"] }}
+            """
+        )
+    ).sweep()
+    laws = {"h": stats.uniform(1, 2), "v": stats.lognorm(0.3, scale=2), "m": stats.norm(10, 1)}
+    scores = np.array([stats.norm.ppf(law.cdf(dataset[name].values)) for name, law in laws.items()])
+    wanted = [[1, 0.7, 0], [0.7, 1, -0.4], [0, -0.4, 1]]
+    np.testing.assert_allclose(np.corrcoef(scores), wanted, atol=0.04)
+    for name, law in laws.items():
+        assert stats.kstest(dataset[name].values, law.cdf).statistic < 0.03
+
+
+@pytest.mark.parametrize(
+    ("correlation", "said"),
+    [
+        ('[["h", "v", 1.0]]', "between -1 and 1"),
+        ('[["h", "g", 0.5]]', "has no distribution"),
+        ('[["h", "h", 0.5]]', "one pair of two parameters"),
+        ('[["h", "v", 0.5], ["v", "h", 0.5]]', "one pair of two parameters"),
+        ('[["h", "v", 0.9], ["v", "m", 0.9], ["h", "m", -0.9]]', "eigenvalue"),
+        ('["h", "v", 0.5]', "pairs with their correlation"),
+    ],
+)
+def test_correlations_that_cannot_be(correlation: str, said: str) -> None:
+    sweep = f"""
+    design = {{ latin = 8, correlation = {correlation} }}
+    h = {{ uniform = ["1 m", "3 m"] }}
+    v = {{ uniform = ["1 m/s", "3 m/s"] }}
+    m = {{ uniform = ["1 kg", "3 kg"] }}
+    """
+    with pytest.raises(SceneError) as raised:
+        load_text(FALL.format(sweep=sweep)).sweep()
+    assert said in str(raised.value)

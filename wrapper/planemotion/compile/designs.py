@@ -24,7 +24,7 @@ def draw(
     `units`: those of bare numbers.  The same design draws the same values again.  Raises SceneError with a
     key path.
     """
-    points = _points(design, len(swept))
+    points = _correlated(_points(design, len(swept)), design, list(swept))
     drawn = {}
     for column, (name, one) in zip(points.T, swept.items(), strict=True):
         unit, quantiles = _distribution(one, f"sweep.{name}", units[name])
@@ -47,7 +47,44 @@ def _points(design: Design, dimensions: int) -> Floats:
     else:
         engine = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol, "halton": qmc.Halton}[word]
         points = engine(dimensions, rng=np.random.default_rng(design.seed)).random(n)
-    smallest = np.finfo(np.float64).eps  # a distribution without ends has no value at 0 or 1
+    return _inside(points)
+
+
+def _correlated(points: Floats, design: Design, names: list[str]) -> Floats:
+    """The points [n, dimensions] by a Gaussian copula: each column is spread as before.
+
+    Raises SceneError for correlations that cannot be.
+    """
+    from scipy.special import ndtr, ndtri
+
+    if not design.correlation:
+        return points
+    matrix = np.eye(len(names))
+    for index, (first, second, size) in enumerate(design.correlation):
+        path = f"sweep.design.correlation[{index}]"
+        for name in (first, second):
+            if name not in names:
+                raise SceneError(f'"{name}" has no distribution', path=path, value=name)
+        i, j = names.index(first), names.index(second)
+        if i == j or matrix[i, j]:
+            raise SceneError(f"{first} and {second}: one pair of two parameters is wanted", path=path)
+        if not -1 < size < 1:
+            raise SceneError("a correlation is between -1 and 1", path=path, value=size)
+        matrix[i, j] = matrix[j, i] = size
+    least = float(np.linalg.eigvalsh(matrix)[0])
+    if not least > 0:
+        reason = (
+            "no parameters can be correlated like that: their matrix has the eigenvalue "
+            f"{least:.3g}, and all must be greater than 0"
+        )
+        raise SceneError(reason, path="sweep.design.correlation")
+    scores = ndtri(points) @ np.linalg.cholesky(matrix).T
+    return _inside(np.asarray(ndtr(scores), np.float64))
+
+
+def _inside(points: Floats) -> Floats:
+    """A distribution without ends has no value at 0 or 1."""
+    smallest = np.finfo(np.float64).eps
     return np.clip(points, smallest, 1 - smallest)
 
 

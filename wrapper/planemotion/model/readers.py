@@ -144,6 +144,21 @@ def read_named(written: Any) -> tuple[str, ...]:
     return tuple(names)
 
 
+def read_correlation(written: Any) -> tuple[tuple[str, str, float], ...]:
+    """Pairs of parameters with their correlation."""
+    if not isinstance(written, list | tuple) or not all(map(_is_correlation, written)):
+        raise ValueError('pairs with their correlation are wanted, such as [["m", "r", 0.8]]')
+    return tuple((first, second, float(size)) for first, second, size in written)
+
+
+def _is_correlation(one: Any) -> bool:
+    if not isinstance(one, list | tuple) or len(one) != 3:
+        return False
+    *names, size = one
+    is_number = isinstance(size, int | float) and not isinstance(size, bool)
+    return all(isinstance(name, str) for name in names) and is_number
+
+
 def read_stops(written: Any) -> tuple[str, ...]:
     """Points and rims that a cord goes to, in order."""
     if not isinstance(written, list | tuple) or not all(isinstance(text, str) for text in written):

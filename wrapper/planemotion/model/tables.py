@@ -24,6 +24,7 @@ from .readers import (
     read_at,
     read_bounds,
     read_circle,
+    read_correlation,
     read_driven_place,
     read_friction,
     read_grid,
@@ -227,6 +228,7 @@ class Design(Table):
     halton: Annotated[int, Field(strict=True, ge=1, le=MOST_DRAWN)] | None = None
     random: Annotated[int, Field(strict=True, ge=1, le=MOST_DRAWN)] | None = None
     seed: Annotated[int, Field(strict=True, ge=0)] = 0
+    correlation: Annotated[tuple[tuple[str, str, float], ...], BeforeValidator(read_correlation)] = ()
 
 
 class Refine(Table):

@@ -47,6 +47,7 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_numbers: {"type": "array", "items": _VALUE},
     readers.read_text: _TEXT,
     readers.read_named: _TEXTS,
+    readers.read_correlation: {"type": "array", "items": {"type": "array", "minItems": 3, "maxItems": 3}},
     readers.read_vector: _VECTOR,
     readers.read_value_or_vector: {"anyOf": [_VALUE, _VECTOR]},
     readers.read_point: {
