@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .pictures.picture import Picture
     from .reporting import Report
     from .scene import Scene
+    from .sweep.frames import cases, statistics
 
 __all__ = [
     "Animation",
@@ -36,8 +37,10 @@ __all__ = [
     "SimulationError",
     "StudyError",
     "__version__",
+    "cases",
     "load",
     "load_text",
+    "statistics",
     "words",
 ]
 
@@ -53,8 +56,10 @@ _HOME = {
     "SceneError": "base.errors",
     "SimulationError": "base.errors",
     "StudyError": "base.errors",
+    "cases": "sweep.frames",
     "load": "file",
     "load_text": "file",
+    "statistics": "sweep.frames",
     "words": "engine.words",
 }
 

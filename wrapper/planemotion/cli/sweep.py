@@ -105,6 +105,8 @@ def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
     click.echo(_table(summary.header, summary.rows))
     if summary.cases > len(summary.rows):
         click.echo(click.style(f"{len(summary.rows)} of {summary.cases} cases", dim=True))
+    if summary.drawn:
+        click.echo(_statistics(files.result))
     statuses = ", ".join(f"{count} {word}" for word, count in sorted(summary.statuses.items()))
     rate = f", {files.computed / seconds:.0f} cases/s" if files.computed else ""
     click.echo(f"\n{summary.cases} cases ({statuses}); {files.computed} computed in {seconds:.1f} s{rate}")
@@ -113,6 +115,31 @@ def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
     if not summary.statuses.get("ok"):
         say("no case came to its end; the column reason of the table says why", error=True)
         ctx.exit(FAILED)
+
+
+def _statistics(result: Path) -> str:
+    """Mean, deviation and quantiles of the answers, with their standard errors."""
+    import xarray as xr
+
+    from ..report.aligned import Column, aligned
+    from ..sweep.frames import QUANTILES, statistics
+
+    with xr.open_dataset(result, engine="h5netcdf") as dataset:
+        table = statistics(dataset)
+    names = ["mean", "deviation", *(f"q{round(100 * part):02d}" for part in QUANTILES)]
+    rows = [
+        [str(key), *(_with_error(row, name) for name in names), str(row["unit"]).replace("1", "")]
+        for key, row in table.iterrows()
+        if row["cases"] > 1
+    ]
+    heads = [["", "mean", "deviation", *(f"{part:.0%} below" for part in QUANTILES), ""]]
+    columns = [Column(), *[Column(right=True)] * len(names), Column()]
+    return "\n" + "\n".join(aligned(rows, columns, header=heads, width=terminal_width()))
+
+
+def _with_error(row: Any, name: str) -> str:
+    error = row.get(f"{name}_error", float("nan"))
+    return f"{row[name]:.6g}" + ("" if error != error else f" ± {error:.1g}")
 
 
 @contextmanager

@@ -24,6 +24,7 @@ from ..base.files import appearing, disk_errors
 from ..engine.words import spelled
 from .layout import REASON_WORDS, STATUS_WORDS, TRUST_WORDS, error_name
 from .netcdf import hyperslabs, opened
+from .plan import CASE
 
 # Cases, and numbers, that are turned into text at once.
 _TABLE_CASES = 65536
@@ -103,6 +104,7 @@ class _Columns:
         self._grid: tuple[str, ...] = status.dimensions
         self.shape: tuple[int, ...] = status.shape
         self.cases = math.prod(self.shape)
+        self.drawn = self._grid == (CASE,)
         self._asks: list[str] = file["ask"][...].tolist()
         self._parameters: dict[str, tuple[int, Floats]] = {}  # axis of the grid, values along it
         self.header: list[str] = []
@@ -208,12 +210,14 @@ class _Columns:
 
 @dataclass(frozen=True)
 class Summary:
-    """What a terminal shows of a result: some rows of the table, and how many cases ended how (in words)."""
+    """What a terminal shows of a result: some rows of the table, and how many cases ended how (in words);
+    `drawn`: a design has drawn the cases, and there is no grid beside."""
 
     header: tuple[str, ...]
     rows: tuple[tuple[Any, ...], ...]
     cases: int
     statuses: Mapping[str, int]
+    drawn: bool = False
 
 
 def summarise(result: Path, rows: int = 11) -> Summary:
@@ -229,4 +233,5 @@ def summarise(result: Path, rows: int = 11) -> Summary:
         steps = max(1, min(rows, columns.cases) - 1)
         shown = sorted({i * (columns.cases - 1) // steps for i in range(steps + 1)})
         picked = tuple(columns.for_people(row) for case in shown for row in columns.rows(case, 1))
-        return Summary(columns.for_people(columns.header), picked, columns.cases, dict(statuses))
+        head = columns.for_people(columns.header)
+        return Summary(head, picked, columns.cases, dict(statuses), columns.drawn)
