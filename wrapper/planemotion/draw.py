@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from .base.errors import SceneError
 from .base.themes import require_theme
+from .base.words import listed
 from .pen import page
 from .pen.theme import on_paper
 from .pictures import diagrams
 from .pictures.instants import instant_of
+from .pictures.measured import shown_with
 from .pictures.picture import Picture
 from .pictures.scene import figure, start_of
 
@@ -25,9 +27,14 @@ def draw(
     bodies: str | Sequence[str] = (),
     run: str | None = None,
     theme: str = "light",
+    show: str | Iterable[str] = (),
 ) -> Picture:
     """Draws a scene: see Scene.draw."""
     chosen = (bodies,) if isinstance(bodies, str) else tuple(bodies)
+    words = listed(show)
+    more = shown_with(words)
+    if as_ is not None and words:
+        raise SceneError("a figure of the book has its own values: give show or as_, not both", path="show")
     if as_ is None and chosen:
         raise SceneError('bodies are chosen of a figure: give as_ too, such as "free-body"', path="bodies")
     require_theme(theme)
@@ -37,5 +44,5 @@ def draw(
             fault = ""
         else:
             start = start_of(scene, run) if at is None else instant_of(scene, at, run)
-            made, fault = figure(start), start.fault
+            made, fault = figure(start, more), start.fault
         return Picture(on_paper(made, theme), fault, theme)

@@ -321,6 +321,7 @@ class Scene:
         as_: str | None = None,
         *,
         bodies: str | Sequence[str] = (),
+        show: str | Iterable[str] = (),
         of_run: str | None = None,
         theme: str = "light",
         **parameters: Any,
@@ -332,8 +333,9 @@ class Scene:
         `at`: a time such as "0.3 s", or an event ("strike", "strike 2"); without it the start.  `as_`: a
         figure of the book, with names and values: "free-body", "kinetic" (forces = m a), "impulse-momentum"
         (without `at` of the first blow) or "energy" (the work of each force since the start; without `at` of
-        the whole run); of all bodies, or of `bodies`.  `of_run`: which of its [runs] (default: the first).
-        `theme`: "light" or "dark" paper.
+        the whole run); of all bodies, or of `bodies`.  `show`: of "dimensions" and "velocities", as a list or
+        with commas, without `as_`.  `of_run`: which of its [runs] (default: the first).  `theme`: "light" or
+        "dark" paper.
 
         Values are in lb, ft and s where the scene has feet or inches, else in N, m, s and J; vectors by their
         parts along x and y, or across (N) and along (F) a surface.  "?" is what nothing tells, such as the
@@ -344,7 +346,7 @@ class Scene:
         from .draw import draw
 
         when = at if at is None else plain_text(at)
-        return draw(self.with_values(parameters), when, as_, bodies, of_run, theme)
+        return draw(self.with_values(parameters), when, as_, bodies, of_run, theme, show)
 
     def report(self, *, replays: int = 9, **parameters: Any) -> Report:
         """The scene, or the study if it has a [sweep], as one page of HTML that needs nothing else.

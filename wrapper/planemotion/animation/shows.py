@@ -8,6 +8,7 @@ from typing import Any
 
 from ..base.errors import StudyError
 from ..base.themes import require_theme
+from ..base.words import listed
 
 WORDS = ("energies", "velocities", "forces", "slow")
 USUAL = ("energies",)
@@ -34,15 +35,10 @@ def shows_of(show: str | Iterable[str], trace: str | Iterable[str], theme: str |
     """Words and points as lists, or as one text with commas.
 
     Raises StudyError for a word or a theme that there is not."""
-    words, traces = _listed(show), _listed(trace)
+    words, traces = listed(show), listed(trace)
     for word in words:
         if word not in WORDS:
             raise StudyError(f'show = "{word}": of {", ".join(WORDS)} any may be shown')
     if theme is not None:
         require_theme(theme)
     return Shows(words, traces, theme)
-
-
-def _listed(given: str | Iterable[str]) -> tuple[str, ...]:
-    texts = given.split(",") if isinstance(given, str) else given
-    return tuple(text.strip() for text in texts if text.strip())

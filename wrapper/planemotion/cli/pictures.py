@@ -78,6 +78,12 @@ def plot(result: Path, out: Path | None, theme: str) -> None:
 @click.option(
     "--body", "bodies", metavar="NAME", multiple=True, help="With --as: only this one (repeatable)."
 )
+@click.option(
+    "--show",
+    metavar="WORDS",
+    default="",
+    help="Of dimensions, velocities, with commas; without --as.",
+)
 @click.option("--run", "run", metavar="NAME", help="Which of its [runs] (default: the first).")
 @_theme_option
 @set_option
@@ -89,6 +95,7 @@ def draw(
     at: str | None,
     kind: str | None,
     bodies: tuple[str, ...],
+    show: str,
     run: str | None,
     theme: str,
     values: Mapping[str, str],
@@ -103,7 +110,7 @@ def draw(
 
     if bodies and kind is None:
         raise click.UsageError("--body goes with --as")
-    made = drawn(load(scene).with_values(values), at, kind, bodies, run, theme)
+    made = drawn(load(scene).with_values(values), at, kind, bodies, run, theme, show)
     click.echo(made.save(out or Path(f"{scene.stem}.png")))
     if made.fault:
         say(made.fault, error=True)

@@ -70,6 +70,9 @@ def recolour(artist: Artist) -> None:
     if isinstance(artist, Collection) and artist.get_array() is not None:
         _recolour_map(artist)
         return
+    behind = getattr(artist, "get_bbox_patch", lambda: None)()  # of a text
+    if behind is not None:
+        recolour(behind)
     for part in _PARTS:
         getter, setter = (getattr(artist, f"{verb}_{part}", None) for verb in ("get", "set"))
         if getter is None or setter is None or (part == "color" and hasattr(artist, "set_edgecolor")):

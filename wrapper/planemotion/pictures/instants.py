@@ -15,7 +15,7 @@ from ..engine.outcome import History
 from ..language.dimensions import TIME
 from ..language.units import parse_quantity
 from ..reading.scene import HasData
-from .scene import Start, drawing_of, start_of
+from .scene import Pose, Start, drawing_of, start_of
 
 
 def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
@@ -29,19 +29,26 @@ def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
         return start
     flat = flatten(scene, run, history=HistoryColumns.shown)
     recorded, row = row_at(flat, at)
-    poses = {}
-    for name in start.drawing.bodies:
-        turn = recorded.columns.get(f"{name}.angle")
-        x, y = (float(recorded.columns[f"{name}.{part}"][row]) for part in ("x", "y"))
-        poses[name] = (x, y, 0.0 if turn is None else float(turn[row]))
+    poses, velocities = (
+        {name: _three(recorded, row, name, words) for name in start.drawing.bodies}
+        for words in (("x", "y", "angle"), ("velocity.x", "velocity.y", "omega"))
+    )
     drawing = drawing_of(scene.data, flat.run, call.found(flat))
     time = f"t = {recorded.time[row]:.6g} s"
     return replace(
         start,
         drawing=drawing,
         poses=poses,
+        velocities=velocities,
         when=time if _seconds(at) is not None else f"{at.strip()}, {time}",
     )
+
+
+def _three(recorded: History, row: int, name: str, words: tuple[str, str, str]) -> Pose:
+    """Quantities of a body; 0 where it has none."""
+    columns = (recorded.columns.get(f"{name}.{word}") for word in words)
+    x, y, turn = (0.0 if column is None else float(column[row]) for column in columns)
+    return x, y, turn
 
 
 def row_at(flat: FlatScene, at: str) -> tuple[History, int]:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -46,18 +46,22 @@ _LENGTHS = ("mm", "cm", "m", "km", *_IMPERIAL)
 _WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
 
 
+Pose = tuple[float, float, float]
+
+
 @dataclass(frozen=True)
 class Start:
-    """What is drawn: the scene, its marks as expressions, the pose (x, y, angle of G, SI) of each body.
+    """What is drawn: the scene, its marks as expressions, pose and velocity (of x, y, angle; SI) of bodies.
 
     `fault`: why the pose is only the written one, "" if the start could be assembled.  `when`: for people.
     """
 
     data: SceneData
     drawing: Drawing
-    poses: Mapping[str, tuple[float, float, float]]
+    poses: Mapping[str, Pose]
     fault: str = ""
     when: str = "at the start"
+    velocities: Mapping[str, Pose] = field(default_factory=dict)
 
 
 def drawing_of(data: SceneData, run: str | None, found: Mapping[str, float] | None = None) -> Drawing:
@@ -80,10 +84,10 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
     flat = flatten(scene, run)
     drawing = drawing_of(scene.data, flat.run)
     found = call.check(flat)
-    poses = {
-        name: (float(x), float(y), float(angle))
-        for name, (x, y, angle) in zip(flat.bodies, found.pose, strict=True)
-    }
+    poses, velocities = (
+        {name: (float(x), float(y), float(turn)) for name, (x, y, turn) in zip(flat.bodies, of, strict=True)}
+        for of in (found.pose, found.velocity)
+    )
     if found.message:
         default = drawing.tables.default
         poses = {
@@ -91,13 +95,15 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
             for name in drawing.bodies
             for pose in [drawing.pose(name)]
         }
-    return Start(scene.data, drawing, poses, found.message)
+    return Start(scene.data, drawing, poses, found.message, velocities={} if found.message else velocities)
 
 
-def figure(start: Start) -> Figure:
-    """The picture of a start."""
+def figure(start: Start, more: Iterable[Callable[[Start, Sketch], None]] = ()) -> Figure:
+    """The picture of a start; `more` draw on it what is shown on request."""
     sketch = Sketch(start.drawing, start.poses, usual_length(start.data))
     SceneDrawing(start.data, sketch).draw()
+    for one in more:
+        one(start, sketch)
     note = f"{plane_of(start.data)}; {start.when}"
     if start.fault:
         note = "as written, not assembled (see the message)"
