@@ -10,10 +10,13 @@ sys.path.insert(0, str(HERE))
 
 project = "planemotion"
 author = "The planemotion developers"
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_click", "executed", "gallery_pages"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_click", "executed", "gallery_pages"]
 exclude_patterns = ["reference/statuses.md"]  # a part of trust.md, no page of its own
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 3
+nb_execution_mode = "force"  # a fault in the notebook is one of the build
+nb_execution_raise_on_error = True
+nb_execution_timeout = 180
 html_theme = "furo"
 html_title = "planemotion"
 html_static_path = ["static"]

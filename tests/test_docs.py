@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import doctest
 import math
 import re
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -132,3 +134,14 @@ def _oscillation(t: Any, stiffness: float, rate: float) -> Any:
     decay = rate / (2 * 2)
     omega = math.sqrt(stiffness / 2 - decay**2)
     return 0.1 * np.exp(-decay * t) * (np.cos(omega * t) + decay / omega * np.sin(omega * t))
+
+
+@pytest.mark.parametrize("module", ["scene", "file", "engine.result"])
+def test_the_examples_of_the_docstrings_run(
+    module: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    flags = doctest.ELLIPSIS
+    done = doctest.testmod(import_module(f"planemotion.{module}"), optionflags=flags)
+    assert done.attempted > 1
+    assert done.failed == 0

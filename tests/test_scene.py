@@ -12,6 +12,7 @@ import pytest
 import planemotion
 from planemotion import Scene, SceneError, load, load_text
 from planemotion.compile.flatten import flatten
+from planemotion.examples import text_of
 from planemotion.language.units import registry
 from planemotion.model.readers import Place, Vector
 from planemotion.model.tables import Ask, Swept
@@ -221,3 +222,34 @@ def test_the_table_of_a_scene_is_a_copy() -> None:
     scene.table["parameters"]["L"] = "9 m"
     assert scene.table == load_text(FILE).table
     assert Scene.from_table(scene.table).data.parameters == scene.data.parameters
+
+
+def test_a_grid_is_an_array_of_quantities_and_a_run_takes_one_value() -> None:
+    unit = registry()
+    scene = load_text(text_of("pin"))
+    grid = np.array([1.0, 5.0, 9.0])
+    wanted = np.array([scene.run(g=f"{value} m/s^2")["reaction"] for value in grid], float)
+    for given in (
+        grid * unit.m / unit.s**2,
+        100 * grid * unit.cm / unit.s**2,
+        [f"{one} m/s^2" for one in grid],
+    ):
+        found = scene.sweep(g=given)["reaction"]
+        np.testing.assert_allclose(found.values, wanted, rtol=1e-13)
+    for several in (grid, [1, 2], grid * unit.m / unit.s**2):
+        with pytest.raises(
+            SceneError, match=r"one value is wanted; sweep\(g=\[...\]\) computes a case for each"
+        ):
+            scene.run(g=several)
+
+
+def test_check_and_explain_tell_what_the_commands_tell() -> None:
+    scene = load_text(text_of("pin"), file="pin.toml")
+    assert scene.check().faults == ()
+    assert "1 degree of freedom" in repr(scene.check())
+    assert "rod" in scene.explain().text
+    open_start = Scene(until="t = 1 s").body("b", rod=["A", "B"], length="1 m", mass="1 kg")
+    open_start.joint("A", pin=["b.A", "ground"]).joint("B", slider=["b.B", "ground.far"])
+    open_start.ground(lines={"far": {"through": [0, "3 m"]}})
+    assert open_start.check().faults
+    assert "error: " in repr(open_start.check())

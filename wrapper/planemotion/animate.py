@@ -17,10 +17,11 @@ from .animation.shows import USUAL, shows_of
 from .base.errors import StudyError
 from .base.files import ANIMATIONS, appearing, ending
 from .engine.kernel import status_name
+from .pictures.scene import title_of
 from .reading.scene import HasData
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Animation:
     """A run that moves: a notebook shows it, `save` writes it."""
 
@@ -36,6 +37,12 @@ class Animation:
         """Why the run ended early; "" if it came to its end."""
         status = self.motion.recorded.status
         return f"{self.motion.data.id}: the run ended early ({status_name(status)})" if status else ""
+
+    def __repr__(self) -> str:
+        end = float(self.motion.recorded.time[-1])
+        return f"Animation of {title_of(self.motion.data)}, {end:.6g} s" + (
+            f" - {self.fault}" if self.fault else ""
+        )
 
     def html(self) -> str:
         """One page with everything in it: the player, the signs, the motion."""

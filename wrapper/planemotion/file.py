@@ -37,7 +37,13 @@ def load(path: str | os.PathLike[str]) -> Scene:
 
 
 def load_text(text: str, *, file: str | None = None) -> Scene:
-    """The scene in a TOML text; `file` is named in messages, and its stem is the id if there is none."""
+    """The scene in a TOML text; `file` is named in messages, and its stem is the id if there is none.
+
+    >>> import planemotion
+    >>> planemotion.load_text('ask.v = "b.x"\\nbodies.b = { mas = "1 kg" }', file="ball.toml")
+    Traceback (most recent call last):
+    planemotion.base.errors.SceneError: ...mas...did you mean "mass"...
+    """
     from .scene import Scene
 
     scene = Scene.from_table(parse_toml(text, file), file=file, text=text)

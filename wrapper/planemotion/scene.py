@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from .draw import Picture
     from .engine.result import RunResult
     from .mapping import OutcomeMap
+    from .report.explain import Told
     from .reporting import Report
     from .sweep.function import SceneFunction
     from .sweep.run import ShardDone
@@ -51,7 +52,24 @@ class Scene:
     """A scene under construction, or one read from a file.
 
     Values are those of a file: numbers, texts such as "10 in", true and false, lists and dicts; quantities of
-    pint and numbers of numpy are taken as well.  Methods return the scene, so that they can be chained.
+    pint, numbers and arrays of numpy and arrays of quantities are taken as well.  Methods return the scene,
+    so that they can be chained.
+
+    >>> from planemotion import Scene
+    >>> swing = (
+    ...     Scene("swing", until="rod.turned = -90 deg")
+    ...     .parameters(L="1.2 m")
+    ...     .body("rod", rod=["A", "B"], length="L", mass="3 kg", at={"A": [0, 0]})
+    ...     .joint("A", pin=["rod.A", "ground"])
+    ...     .ask("omega", of="rod.omega", unit="rad/s")
+    ... )
+    >>> round(swing.run()["omega"], 4)
+    -4.9523
+
+    A sweep is declared and run in two words:
+
+    >>> swing.grids(L=["0.5 m", "1 m"]).sweep()["omega"].values.round(3)
+    array([-7.672, -5.425])
     """
 
     def __init__(
@@ -261,7 +279,18 @@ class Scene:
     # ---- running ----
 
     def run(self, **parameters: Any) -> RunResult:
-        """Answers of the scene, with other values for some parameters.
+        """Answers of the scene, with other values for some parameters: numbers in the unit of the scene,
+        texts such as "2 in", or quantities of pint.
+
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> result = load_text(text_of("pin"), file="pin.toml").run(g="1.62 m/s^2")
+        >>> result
+        RunResult pin: ok
+          omega = -2.01246118 rad/s
+          reaction = 12.15 N
+        >>> result.asks["omega"].error < 1e-8
+        True
 
         Raises SceneError for a fault in the scene, SimulationError (with the partial result) if a run fails.
         An early stop, such as a limit, is a result whose status is not "ok".
@@ -286,6 +315,12 @@ class Scene:
         one) and event (its name); every variable has its SI unit in the attribute `units`.  A run that ends
         early has what there is, and says so in the attribute `status`.  Raises SceneError for a fault,
         SimulationError if nothing can be recorded.
+
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> told = load_text(text_of("pin")).history("rod.omega", "A.force.y", every="0.1 s")
+        >>> told["rod.omega"].sel(t=0.1).round(4).item(), told["rod.omega"].attrs["units"]
+        (-1.2258, 'rad/s')
         """
         from .history import history
 
@@ -302,7 +337,10 @@ class Scene:
     ) -> Animation:
         """The scene in motion, with other values for some parameters; a notebook shows it, with a player.
 
-            scene.animate(show="energies,forces,slow", trace="AB.B", d="2 in").save("scene.gif")
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> load_text(text_of("pin")).animate(show="forces,slow", trace="rod.B", g="3 m/s^2").save("rod.html")
+        PosixPath('rod.html')
 
         `show`: of "energies", "velocities", "forces" and "slow" (time passes slower around events), as a list
         or with commas; blows are always seen with their impulses.  `trace`: points whose ways are drawn, such
@@ -328,7 +366,13 @@ class Scene:
     ) -> Picture:
         """The scene as a picture, with other values for some parameters; a notebook shows it.
 
-            scene.draw(at="strike", as_="impulse-momentum", bodies="AB").save("strike.svg")
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> scene = load_text(text_of("pin"))
+        >>> scene.draw(at="0.3 s", as_="kinetic").save("kinetic.svg")
+        PosixPath('kinetic.svg')
+        >>> scene.draw(show="dimensions", theme="dark").save("rod.png").stat().st_size > 10_000
+        True
 
         `at`: a time such as "0.3 s", or an event ("strike", "strike 2"); without it the start.  `as_`: a
         figure of the book, with names and values: "free-body", "kinetic" (forces = m a), "impulse-momentum"
@@ -348,10 +392,34 @@ class Scene:
         when = at if at is None else plain_text(at)
         return draw(self.with_values(parameters), when, as_, bodies, of_run, theme, show)
 
+    def check(self, **parameters: Any) -> Told:
+        """The assembled start, as `planemotion check` tells it: `text`, and `faults`, a message for each.
+
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> load_text(text_of("pin"), file="pin.toml").check().faults
+        ()
+
+        Raises SceneError for a fault in the scene."""
+        from .report.explain import check
+
+        return check(self.with_values(parameters))
+
+    def explain(self, **parameters: Any) -> Told:
+        """What the scene is made of and how it is computed, as `planemotion explain` tells it.
+
+        Raises SceneError for a fault in the scene."""
+        from .report.explain import explain
+
+        return explain(self.with_values(parameters))
+
     def report(self, *, replays: int = 9, **parameters: Any) -> Report:
         """The scene, or the study if it has a [sweep], as one page of HTML that needs nothing else.
 
-            scene.report(d="2 in").save("report.html")
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> load_text(text_of("pin")).report(g="3 m/s^2").save("report.html")
+        PosixPath('report.html')
 
         It has the answers with their errors, the motion, the picture and the text of the scene, how it was
         computed and with what; of a study plots of the answers, how the cases ended, and at most `replays`
@@ -375,7 +443,13 @@ class Scene:
     ) -> Any:
         """The study over grids of parameters: those given here, else those of [sweep].
 
-            scene.sweep(d=["1 in", "2 in"], e={"from": 0, "to": 1, "num": 11})
+        >>> from planemotion import load_text
+        >>> from planemotion.examples import text_of
+        >>> scene = load_text(text_of("pin"))
+        >>> scene.sweep(g={"from": "1 m/s^2", "to": "10 m/s^2", "num": 4})["reaction"].values.round(3)
+        array([ 7.5, 30. , 52.5, 75. ])
+
+        A grid is a list, an array, an array of quantities of pint, or a dict as in a file.
 
         `grids`: the same as a dict, also of parameters with the name of an option, such as "workers".  See
         `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
@@ -501,6 +575,9 @@ class Scene:
         declared = {"g": DEFAULT_G, **self._raw.get("parameters", {})}
         if not rest or first == "parameters":
             key = rest or name
+            if isinstance(value, list):
+                reason = f"one value is wanted; sweep({key}=[...]) computes a case for each of a list"
+                raise SceneError(reason, file=self.file, path=key, value=value)
             if key not in declared and not rest:
                 reason = unknown(name, declared, "parameter") + "; or set sweep.PARAMETER..., solve.KEY"
                 raise SceneError(reason, file=self.file, path=name)

@@ -63,6 +63,14 @@ class RunResult:
     An ask can be read as an attribute, too (result.omega_B), where its name is none of those below; what
     else is known of it (unit, error, margin, reason) is in result.asks["omega_B"].
 
+    >>> from planemotion import load_text
+    >>> from planemotion.examples import text_of
+    >>> result = load_text(text_of("pin")).run()
+    >>> result.ok, round(result.omega, 4), result.asks["omega"].unit
+    (True, -4.9523, 'rad/s')
+    >>> list(result), "theta" in result
+    (['omega', 'reaction'], False)
+
     `status`: "ok", or the word of the first run that is not; `code`: its number (enum pm_status);
     `error`: its message, `stopped_at` when it stopped [s] (None where all is ok).  `route`: the routes taken.
     `asks`: answers by key, in the order of the file.

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Picture:
     """A picture: a notebook shows it, `save` writes it; `figure` is that of matplotlib.
 
@@ -24,6 +24,10 @@ class Picture:
     figure: Figure
     fault: str = ""
     theme: str = "light"
+
+    def __repr__(self) -> str:
+        wide, tall = self.figure.get_size_inches()
+        return f"Picture, {wide:.1f} x {tall:.1f} in" + (f" - {self.fault}" if self.fault else "")
 
     def save(self, out: str | os.PathLike[str]) -> Path:
         """Writes it as PNG, SVG or PDF, by the ending.  Raises StudyError if it cannot be written."""

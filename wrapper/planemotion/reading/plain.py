@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from ..base.bounded import check_table
 from ..base.errors import SceneError
 from ..base.toml import parse_toml
@@ -23,7 +25,7 @@ def literal(value: Any) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """A value as TOML has it: quantities of pint become texts, numbers of numpy plain ones."""
+    """A value as TOML has it: quantities of pint become texts, arrays lists, numbers of numpy plain ones."""
     check_table(value)
     return _plain_value(value)
 
@@ -44,6 +46,8 @@ def _plain_value(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [_plain_value(one) for one in value]
     if hasattr(value, "dimensionality"):
+        if np.ndim(value.magnitude):
+            return [_plain_value(one) for one in value]
         quantity = parse_quantity(value)
         return f"{quantity.value!r} {quantity.unit_text}".strip()
     if hasattr(value, "tolist"):

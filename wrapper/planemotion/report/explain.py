@@ -29,15 +29,18 @@ if TYPE_CHECKING:
 _FAR = 0.05
 
 
-@dataclass(frozen=True)
-class Report:
-    """A text for people, and what is wrong, one message each."""
+@dataclass(frozen=True, repr=False)
+class Told:
+    """A text for people, and what is wrong, one message each; Python shows both."""
 
     text: str
     faults: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        return "\n".join([self.text, *(f"error: {fault}" for fault in self.faults)])
 
-def check(scene: WrittenScene) -> Report:
+
+def check(scene: WrittenScene) -> Told:
     """The assembled start of a scene, of each of its [runs].  Raises SceneError for a fault in the scene."""
     texts, faults = [], []
     for flat in _runs(scene):
@@ -45,10 +48,10 @@ def check(scene: WrittenScene) -> Report:
         texts.append("\n".join([_title(flat, start.message), *_indented(_assembly(start))]))
         if start.message:
             faults.append(start.message)
-    return Report("\n".join(texts), tuple(faults))
+    return Told("\n".join(texts), tuple(faults))
 
 
-def explain(scene: WrittenScene) -> Report:
+def explain(scene: WrittenScene) -> Told:
     """The whole scene in words.  Raises SceneError for a fault in it."""
     data = scene.data
     flats = _runs(scene)
@@ -93,7 +96,7 @@ def explain(scene: WrittenScene) -> Report:
         *(plan(flat, start) for flat, start in zip(flats, starts, strict=True)),
     ]
     faults = tuple(start.message for start in starts if start.message)
-    return Report("\n\n".join("\n".join(block) for block in blocks if block), faults)
+    return Told("\n\n".join("\n".join(block) for block in blocks if block), faults)
 
 
 def explain_run(scene: WrittenScene, result: RunResult) -> str:
