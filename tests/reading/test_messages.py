@@ -46,11 +46,14 @@ FAULTS = [
     ("bodies = 3", "bodies = 3: a table is wanted"),
     ("id = 3", "id = 3: a text is wanted"),
     ('plane = "tilted"', 'plane = "tilted": "vertical" or "horizontal" is wanted'),
-    ('joints.A = { pin = ["AB.A"] }', "joints.A.pin: two partners are wanted"),
-    ("ground.points.Q = [0]", "ground.points.Q: a vector is wanted: [x, y] or { polar = [size, angle] }"),
+    ('joints.A = { pin = ["AB.A"] }', 'joints.A.pin = ["AB.A"]: two partners are wanted'),
+    (
+        "ground.points.Q = [0]",
+        "ground.points.Q = [0]: a vector is wanted: [x, y] or { polar = [size, angle] }",
+    ),
     ("bodies.AB.mass = nan", "bodies.AB.mass = nan: the number must be finite"),
-    ("bodies.AB.mass = [1]", "bodies.AB.mass: a number, a quantity"),
-    ('until = ["start", 3]', "until: a condition or a list of conditions is wanted"),
+    ("bodies.AB.mass = [1]", "bodies.AB.mass = [1]: a number, a quantity"),
+    ('until = ["start", 3]', 'until = ["start", 3]: a condition or a list of conditions is wanted'),
     (
         'contacts.c = { touch = ["disk.rim", "ground.floor"], friction = { static = 0.2 } }',
         "contacts.c.friction: friction is",

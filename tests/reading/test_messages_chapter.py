@@ -90,7 +90,12 @@ BROKEN = [
     ),
     ("17-SP04", '"k_spring"', '"-k_spring"', "it is -315228 N/m and must not be negative"),
     ("17-SP04", '"push"', '"pushes"', 'forces.spring.only = "pushes": "push" or "pull" is wanted'),
-    ("17-SP04", '["rod.A", "ground.S"]', '["rod.A"]', "forces.spring.spring: two partners are wanted"),
+    (
+        "17-SP04",
+        '["rod.A", "ground.S"]',
+        '["rod.A"]',
+        'forces.spring.spring = ["rod.A"]: two partners are wanted',
+    ),
     ("17-123", "turning = false", "turning = 0", "joints.floor.turning = 0: true or false is wanted"),
     (
         "17-123",
@@ -111,7 +116,7 @@ BROKEN = [
         '"E strikes"',
         'events.strike = "E strikes": unknown contact "E"; there is A, B',
     ),
-    ("17-119", '"D", "C"]', '"D"]', "bodies.crate.corners: four names are wanted"),
+    ("17-119", '"D", "C"]', '"D"]', 'bodies.crate.corners = ["A", "B", "D"]: four names are wanted'),
 ]
 
 

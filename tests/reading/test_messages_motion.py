@@ -25,7 +25,7 @@ FAULTS = [
         'couplings.c = { gears = ["disk.rim", "AB.A"] }',
         'couplings.c.gears[1] = "AB.A": AB.A is a point; a circle is wanted',
     ),
-    ('couplings.c = { cord = ["P"] }', "couplings.c.cord: at least two points or rims are wanted"),
+    ('couplings.c = { cord = ["P"] }', 'couplings.c.cord = ["P"]: at least two points or rims are wanted'),
     ('couplings.c = { cord = "P" }', 'couplings.c.cord = "P": points and rims in order are wanted, such as'),
     (
         'couplings.c = { cord = ["disk.rim", "P"] }',
@@ -57,7 +57,7 @@ FAULTS = [
     ),
     (
         'couplings.c = { ratio = ["disk", "AB"] }',
-        "couplings.c.ratio: two bodies are wanted",
+        'couplings.c.ratio = ["disk", "AB"]: two bodies are wanted',
     ),
     (
         'couplings.c = { ratio = { disk.turned = 1, AB.turned = "2 m" } }',
@@ -126,7 +126,7 @@ FAULTS = [
     ("find = { vari = {} }", 'find.vari: unknown key (did you mean "vary"?); a find has vary, where,'),
     ("runs.a.find = { vary = 3 }", "runs.a.find.vary = 3: a table is wanted"),
     ('find.vary.L = "1 m"', 'find.vary.L = "1 m": two bounds are wanted: [lowest, greatest]'),
-    ('runs.a.find.vary.L = ["1 m"]', "runs.a.find.vary.L: two bounds are wanted"),
+    ('runs.a.find.vary.L = ["1 m"]', 'runs.a.find.vary.L = ["1 m"]: two bounds are wanted'),
     ('find.vary.L = ["1 m", "2 m"]', "find: what makes a value the right one is wanted: where, greatest or"),
     (
         'find = { vary.l = ["1 m", "2 m"], least = "L" }',

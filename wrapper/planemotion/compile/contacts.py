@@ -136,7 +136,7 @@ class Contacts:
         elif points and contact.capture != "none" and contact.normal is None:
             kind, other = layout.PM_CONTACT_POINT, kernel_circle(self.drawn, b)
         elif points:
-            kind, other = layout.PM_CONTACT_LINE, self._line_through(b, contact.normal, path)
+            kind, other = layout.PM_CONTACT_LINE, self._line_through(a, b, contact.normal, path)
         else:
             kind, other = layout.PM_CONTACT_CIRCLE, kernel_circle(self.drawn, b)
             side_value = self.tables.value(side(self.drawing, a, b), f"{path}.touch")
@@ -149,17 +149,25 @@ class Contacts:
             layout.PM_CONTACT_TO: ends[1],
         }
 
-    def _line_through(self, b: Partner, normal: Value | None, path: str) -> int:
+    def _line_through(self, a: Partner, b: Partner, normal: Value | None, path: str) -> int:
         """The second of two points acts as a line through it, whose free side the normal points to."""
         if normal is None:
             reason = (
                 'two points need a normal: the direction of the second one\'s free side, such as "90 deg"; '
                 "or they capture"
-            )
+            ) + "".join(map(self._sides, (a, b)))
             raise SceneError(reason, path=f"{path}.normal")
         direction = self.reader.number(normal, f"{path}.normal", DIMENSIONLESS)
         along = direction - Number(math.pi / 2) - self.drawing.angle(b.owner)
         return self.drawn.line(b.owner, LineMark(self.drawing.marks(b.owner).point(b.name), along), b.where)
+
+    def _sides(self, one: Partner) -> str:
+        """Of a body that was named alone: its lines and circles, which were perhaps meant."""
+        if one.name not in ("G", "center"):
+            return ""
+        marks = self.drawing.marks(one.owner)
+        sides = " or ".join(f"{one.owner}.{name}" for name in (*marks.lines, *marks.circles))
+        return f'; "{one.owner}" alone is one point: did you mean {sides}?' if sides else ""
 
     def _coefficient(self, written: Value, where: str) -> Node:
         """One number for both; a single word that is no parameter was meant for a law."""

@@ -104,7 +104,15 @@ class Drawing:
             return self.bodies[name]
         if name in self.inactive:
             raise SceneError(f'body "{name}" is not active in this run')
-        raise SceneError(unknown(name, [*self.bodies, GROUND], "body"))
+        raise SceneError(unknown(name, [*self.bodies, GROUND], "body") + self._whose(name))
+
+    def _whose(self, name: str) -> str:
+        """Of a word that is no body, but a mark of one or of the ground, how it is written."""
+        names: dict[str, set[str]] = {GROUND: set(self.marks(GROUND).names)}
+        for owner, body in self.bodies.items():
+            names[owner] = {*(body.rod or ()), *body.points, *body.lines, *body.circles, *body.curves}
+        whole = [f'"{owner}.{name}"' for owner, known in names.items() if name in known]
+        return f"; did you mean {' or '.join(whole)}?" if whole else ""
 
     def body_index(self, name: str) -> int:
         """The kernel's index of a body or the ground."""

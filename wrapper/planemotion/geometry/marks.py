@@ -7,7 +7,7 @@ second.  The ground's own axes are the scene's.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from ..base.errors import SceneError
@@ -75,6 +75,12 @@ class Marks:
     rows: dict[str, RowMark] = field(default_factory=dict)
     curves: dict[str, CurveMark] = field(default_factory=dict)
     sets: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+    @property
+    def names(self) -> Iterator[str]:
+        """Of all marks."""
+        groups = (self.points, self.lines, self.circles, self.rows, self.curves, self.sets)
+        return (name for group in groups for name in group)
 
     def point(self, name: str) -> Pair:
         """A point by name.  Raises SceneError naming those that there are."""

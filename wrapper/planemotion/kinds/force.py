@@ -69,7 +69,7 @@ class AppliedForce(Force):
             key = "value"
             if not isinstance(self.value, Vector):
                 reason = "a vector is wanted: [x, y] or { polar = [size, angle] }"
-                raise SceneError(reason, path=f"{path}.value")
+                raise SceneError(reason, path=f"{path}.value", value=self.value)
             if self.turns_with is not None:
                 axes = to.body(self.turns_with, f"{path}.turns_with")
             x, y = to.reader.vector(self.value, f"{path}.value", FORCE, to.over_motion)

@@ -134,11 +134,15 @@ def _complaint(first: Any, path: str, called: Mapping[str, str] | None) -> Scene
     path = re.sub(r"^run_finds\.(\w+)", r"runs.\1.find", path)
     path = "start.nudge" if path == "nudge" else path
     written = first.get("input")
-    shown = written if isinstance(written, str | int | float | bool) else None
+    shown = written if isinstance(written, str | int | float | bool | list) else None
     if first["type"] == "missing":
         return SceneError("it is wanted and left out", path=path)
     if first["type"] == "value_error":
         return SceneError(str(first["ctx"]["error"]), path=path, value=shown)
+    if first["type"] in ("dict_type", "model_type", "model_attributes_type"):
+        return SceneError(
+            "a table with words of its own is wanted: { KEY = ..., ... }", path=path, value=shown
+        )
     wanted = (
         first["msg"]
         .removeprefix("Input should be ")
