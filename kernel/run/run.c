@@ -24,6 +24,7 @@
 #include "impact/instant.h"
 #include "numerics/tolerances.h"
 #include "routes/path/repeat.h"
+#include "routes/path/repeat_rest.h"
 #include "routes/start/perturbation.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -32,6 +33,12 @@
 #include "state/workspace.h"
 
 static const pm_where nowhere = {PM_NONE, PM_NONE, PM_NONE, NAN, NAN};
+
+static void forget_segments(pm_workspace *w)
+{
+    pm_repeat_forget(w->repeat);
+    pm_repeat_rest_forget(w->repeat->rest);
+}
 
 static int begin_case(pm_workspace *w, const double *param, pm_start_report *report)
 {
@@ -46,7 +53,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
     w->phase.stiff = PM_NOT_STIFF;
     w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
-    pm_repeat_forget(w->repeat);
+    forget_segments(w);
     w->event->nfunction = 0;
     pm_bounce_series_begin(w);
     w->step.reverses = 0;
@@ -135,6 +142,13 @@ int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
     return status ? status : pm_instant_start(w);
 }
 
+/* Segments, and periods of swings, that go like one before are passed over. */
+static int pass_segments(pm_workspace *w, int *passed)
+{
+    const int status = pm_repeat_begin(w, passed);
+    return status || *passed ? status : pm_repeat_rest_begin(w, passed);
+}
+
 static int phase(pm_workspace *w, int *ended)
 {
     int passed = 0, status = pm_fail_early(&w->result, &w->patience);
@@ -143,9 +157,9 @@ static int phase(pm_workspace *w, int *ended)
     if (!status) status = pm_plan_phase(w);
     pm_frame_look_state(&w->frame, &w->state);
     if (!status && w->phase.route->reuses_segments)
-        status = pm_repeat_begin(w, &passed);
+        status = pass_segments(w, &passed);
     else
-        pm_repeat_forget(w->repeat);
+        forget_segments(w);
     if (!status && passed) status = pm_plan_phase(w);
     if (status) return status;
     pm_frame_look_state(&w->frame, &w->state);

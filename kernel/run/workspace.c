@@ -21,6 +21,7 @@
 #include "expression/program_fold.h"
 #include "impact/impact.h"
 #include "routes/path/repeat.h"
+#include "routes/path/repeat_rest.h"
 #include "routes/start/perturbation.h"
 #include "state/arena.h"
 #include "state/route.h"
@@ -134,6 +135,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_tree_create(w);
     if (!status) status = pm_small_motion_create(w);
     if (!status) status = pm_repeat_create(w);
+    if (!status) status = pm_repeat_rest_create(w);
     if (!status) status = pm_routes_create(w);
     if (!status) status = pm_perturbation_create(w);
     return status;

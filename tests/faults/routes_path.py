@@ -174,6 +174,30 @@ FAULTS = [
         "if (found) (void)segments",
     ),
     Fault(
+        "rest: a period is half as long",
+        "routes/path/repeat_rest.c",
+        "w->state.t - rest->period.begin.t +",
+        "0.5 * (w->state.t - rest->period.begin.t) +",
+    ),
+    Fault(
+        "rest: blows are no matter",
+        "routes/path/repeat_rest.c",
+        "w->result.count[PM_COUNT_JUMPS] != rest->period.count[PM_COUNT_JUMPS]",
+        "w->result.count[PM_COUNT_JUMPS] == -1",
+    ),
+    Fault(
+        "rest: what fires in periods is not counted",
+        "routes/path/repeat_pass.c",
+        "w->firing.count[i] += segments * each;",
+        "w->firing.count[i] += (l->steady ? 0 : segments) * each;",
+    ),
+    Fault(
+        "rest: no firing that is asked keeps from passing over",
+        "routes/path/repeat_limit.c",
+        "case PM_ASK_EACH: return firings_allow(&w->firing, l, e);",
+        "case PM_ASK_EACH: return l->steady ? PM_MOST_REPEATS : firings_allow(&w->firing, l, e);",
+    ),
+    Fault(
         "leg: forces in later ones are not looked at",
         "routes/path/repeat_replay.c",
         "!(least_of(w, i, side) > 0)) return 0",

@@ -10,7 +10,8 @@
  * something would happen in it, fewer are tried, and from the last sure one on segments are computed, one by one.  The least
  * kinetic energy, that of the barrier on the way, is known of each.
  *
- * A path without blows that closes on itself is a segment as well: a lap. */
+ * A path without blows that closes on itself is a segment as well: a lap.  From rest to rest at the same place it is a period
+ * (repeat_rest.c). */
 #include "routes/path/repeat.h"
 
 #include <math.h>
@@ -72,7 +73,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     l->work = steady ? 0 : pm_repeat_energy_work(w);
     l->ratio = steady ? 1 : kinetic / l->before;
     const double time = in_time ? w->state.t - l->begin.t : 0;
-    const int64_t most = pm_repeat_limit(w, &shift, time);
+    const int64_t most = pm_repeat_limit(w, l, &shift, time);
     w->path->repeats = !w->phase.lap && l->steps == 1;
     pm_repeats segments = pm_repeat_energy_over_barrier(l, kinetic, most, w->path->error);
     int found = 0, status = PM_OK;
@@ -82,7 +83,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     else if (!status && !steady)
         status = keep_sure(w, kinetic, &segments);
     *passed = !status && segments.n > 0;
-    return *passed ? pm_repeat_pass(w, &segments, kinetic, time) : status;
+    return *passed ? pm_repeat_pass(w, l, &segments, kinetic, time) : status;
 }
 
 /* A segment begins at w->state. */

@@ -39,6 +39,8 @@ typedef struct pm_repeat {
     double *rotation;   /* [nbody] rad, how far each body has rotated */
     int member;         /* so many members on in a pattern */
     double work, ratio; /* J, W and m of repeat_energy.c */
+    int steady;         /* T and the places are the same from one to the next: a period */
+    struct pm_rest *rest; /* repeat_rest.h */
 } pm_repeat;
 
 /* Segments from now on. */
@@ -54,12 +56,14 @@ typedef struct pm_repeats {
  * member lead there from the begin of that. */
 int pm_repeat_match(pm_workspace *w, double kinetic);
 
-/* repeat_limit.c: how many segments from w->state on triggers, asks and limits allow to pass over; time: s, of each, or 0. */
-int64_t pm_repeat_limit(pm_workspace *w, const pm_symmetry_shift *shift, double time);
+/* repeat_limit.c: how many segments like the last one (l) from w->state on triggers, asks and limits allow to pass over; time: s, of each, or 0. */
+int64_t pm_repeat_limit(pm_workspace *w, const pm_repeat *l, const pm_symmetry_shift *shift, double time);
 /* The zero of a trigger goes with T. */
 int pm_repeat_limit_moves(const pm_model *model, int trigger);
 /* Reads the sides of the triggers along the last segment; 1 if one of them has changed. */
 int pm_repeat_limit_read_sides(pm_workspace *w);
+/* The instants of a segment that count as events: of a period in which nothing fires and nothing jumps none, it turns back. */
+int64_t pm_repeat_limit_instants(const pm_workspace *w, const pm_repeat *l);
 /* How often an event has fired since the begin of the last segment. */
 int64_t pm_repeat_limit_fires(const pm_firing *firing, const pm_repeat *repeat, int event);
 
@@ -81,8 +85,9 @@ int pm_repeat_replay_check(pm_workspace *w, double kinetic, int *sure);
 /* The segment after these, if it is sure, is told: extremes that are asked see it; *found = 0: it must be computed. */
 int pm_repeat_replay_tell(pm_workspace *w, const pm_repeats *segments, int *found);
 
-/* repeat_pass.c: moves w->state on by these segments, and counts them; kinetic: T there now, time: s, of each, or 0.  The
+/* repeat_pass.c: moves w->state on by these segments, like l, and counts them; kinetic: T there now, time: s, of each, or 0.  The
  * frame looks at w->state, the constraints are built for it. */
-int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, double time);
+int pm_repeat_pass(pm_workspace *w, const pm_repeat *l, const pm_repeats *segments, double kinetic,
+                   double time);
 
 #endif

@@ -41,7 +41,8 @@ static int64_t time_allows(pm_workspace *w, int trigger, double time)
     return time > 0 ? at_most(PM_MOST_REPEATS, floor((due - w->state.t) / time) - 1) : 0;
 }
 
-static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_shift *shift, double time)
+static int64_t trigger_allows(pm_workspace *w, const pm_repeat *l, int trigger,
+                              const pm_symmetry_shift *shift, double time)
 {
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
     const int kind = e[PM_TRIGGER_KIND];
@@ -55,9 +56,10 @@ static int64_t trigger_allows(pm_workspace *w, int trigger, const pm_symmetry_sh
                    ? 0
                    : PM_MOST_REPEATS;
     if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w->event, trigger, change);
+    if (l->steady) return PM_MOST_REPEATS; /* it fires as it did */
     if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_MOST_REPEATS;
     /* its zero moves with T: it must stay off it, here and in the last segment (repeat_replay.c) */
-    return growth > PM_ENERGY_CLASS_STEADY || w->repeat->side[trigger] == 0 ? 0 : PM_MOST_REPEATS;
+    return growth > PM_ENERGY_CLASS_STEADY || l->side[trigger] == 0 ? 0 : PM_MOST_REPEATS;
 }
 
 int pm_repeat_limit_moves(const pm_model *model, int trigger)
@@ -84,6 +86,14 @@ int64_t pm_repeat_limit_fires(const pm_firing *firing, const struct pm_repeat *r
     return firing->count[event] - repeat->event_count[event];
 }
 
+int64_t pm_repeat_limit_instants(const pm_workspace *w, const pm_repeat *l)
+{
+    const int64_t *now = w->result.count;
+    int64_t fired = now[PM_COUNT_JUMPS] - l->count[PM_COUNT_JUMPS];
+    for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) fired += pm_repeat_limit_fires(&w->firing, l, i);
+    return l->steady && fired == 0 ? 0 : now[PM_COUNT_EVENTS] - l->count[PM_COUNT_EVENTS];
+}
+
 /* ---- asks ---- */
 static int grid_is_full(const struct pm_ask_set *ask, const int32_t *e)
 {
@@ -102,32 +112,35 @@ static int64_t firings_allow(const pm_firing *firing, const struct pm_repeat *re
     return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - firing->count[event]) / each));
 }
 
-static int64_t extreme_allows(const pm_frame *frame, const int32_t *e, const pm_symmetry_shift *shift)
+static int64_t extreme_allows(const pm_frame *frame, const pm_repeat *l, const int32_t *e,
+                              const pm_symmetry_shift *shift)
 {
     const int growth = frame->model->programs.energy[pm_ask_program(e)];
     double change;
     if (!pm_symmetry_program(frame, shift, pm_ask_program(e), &change)) return 0;
+    if (change == 0 && l->steady) return PM_MOST_REPEATS;
     if (change != 0 && growth != PM_ENERGY_CLASS_NONE) return 0; /* both change: neither end is the extreme */
     const int bends_well = growth == (pm_ask_greatest(e) ? PM_ENERGY_CLASS_CONVEX : PM_ENERGY_CLASS_CONCAVE);
     return growth > PM_ENERGY_CLASS_STEADY && !bends_well ? 0 : PM_MOST_REPEATS;
 }
 
-static int64_t ask_allows(const pm_workspace *w, const int32_t *e, const pm_symmetry_shift *shift)
+static int64_t ask_allows(const pm_workspace *w, const pm_repeat *l, const int32_t *e,
+                          const pm_symmetry_shift *shift)
 {
     switch (e[PM_ASK_KIND]) {
     case PM_ASK_END: return PM_MOST_REPEATS;
     case PM_ASK_EVENT:
-    case PM_ASK_EACH: return firings_allow(&w->firing, w->repeat, e);
+    case PM_ASK_EACH: return firings_allow(&w->firing, l, e);
     case PM_ASK_GRID: return grid_is_full(w->ask, e) ? PM_MOST_REPEATS : 0;
-    default: return extreme_allows(&w->frame, e, shift);
+    default: return extreme_allows(&w->frame, l, e, shift);
     }
 }
 
 /* ---- limits, and the end of the run ---- */
-static int64_t limits_allow(const pm_workspace *w, double time)
+static int64_t limits_allow(const pm_workspace *w, const pm_repeat *l, double time)
 {
     const pm_model *m = w->model;
-    const int64_t events = w->result.count[PM_COUNT_EVENTS] - w->repeat->count[PM_COUNT_EVENTS];
+    const int64_t events = pm_repeat_limit_instants(w, l);
     const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->result.count[PM_COUNT_EVENTS];
     const double room = pm_case_max_time(w->model, &w->numbers) - w->state.t;
     int64_t most = events > 0 ? at_most(PM_MOST_REPEATS, floor(left / (double)events) - 1) : PM_MOST_REPEATS;
@@ -135,19 +148,20 @@ static int64_t limits_allow(const pm_workspace *w, double time)
     if (time > 0 && room < INFINITY) most = at_most(most, floor(room / time) - 1);
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
         const int32_t *e = PM_UNTIL_ROW(m, i);
-        const int64_t each = pm_repeat_limit_fires(&w->firing, w->repeat, e[PM_UNTIL_EVENT]),
+        const int64_t each = pm_repeat_limit_fires(&w->firing, l, e[PM_UNTIL_EVENT]),
                       lacks = e[PM_UNTIL_NTH] - 1 - w->firing.count[e[PM_UNTIL_EVENT]];
         if (each > 0 && lacks >= 0) most = at_most(most, (double)(lacks / each - 1));
     }
     return most;
 }
 
-int64_t pm_repeat_limit(pm_workspace *w, const pm_symmetry_shift *shift, double time)
+int64_t pm_repeat_limit(pm_workspace *w, const pm_repeat *l, const pm_symmetry_shift *shift, double time)
 {
     const pm_model *m = w->model;
-    int64_t most = limits_allow(w, time);
+    int64_t most = limits_allow(w, l, time);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER] && most > 0; i++)
-        most = fewest(most, trigger_allows(w, i, shift, time));
-    for (int i = 0; i < m->nask && most > 0; i++) most = fewest(most, ask_allows(w, PM_ASK_ROW(m, i), shift));
+        most = fewest(most, trigger_allows(w, l, i, shift, time));
+    for (int i = 0; i < m->nask && most > 0; i++)
+        most = fewest(most, ask_allows(w, l, PM_ASK_ROW(m, i), shift));
     return most;
 }

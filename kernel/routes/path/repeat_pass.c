@@ -14,10 +14,9 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static void move_state(pm_workspace *w, int64_t segments, double faster, double time)
+static void move_state(pm_workspace *w, const pm_repeat *l, int64_t segments, double faster, double time)
 {
     const pm_model *m = w->model;
-    const pm_repeat *l = w->repeat;
     const double n = (double)segments;
     pm_state *s = &w->state;
     for (int i = 0; i < m->nz_controlled; i++) s->z[i] += n * (s->z[i] - l->begin.z[i]);
@@ -32,27 +31,29 @@ static void move_state(pm_workspace *w, int64_t segments, double faster, double 
             s->slot[i].member += (int32_t)(segments * l->member);
 }
 
-static void count_segments(pm_workspace *w, int64_t segments, double time)
+static void count_segments(pm_workspace *w, const pm_repeat *l, int64_t segments, double time)
 {
-    static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_EVENTS, PM_COUNT_JUMPS};
+    static const int counted[] = {PM_COUNT_PHASES, PM_COUNT_JUMPS};
+    const int64_t instants = pm_repeat_limit_instants(w, l);
     for (int i = 0; i < w->model->rows[PM_TABLE_EVENT]; i++) {
-        const int64_t each = pm_repeat_limit_fires(&w->firing, w->repeat, i);
+        const int64_t each = pm_repeat_limit_fires(&w->firing, l, i);
         w->firing.count[i] += segments * each;
         if (each > 0) w->firing.time[i] += (double)segments * time;
     }
     w->firing.jumped += (double)segments * time;
-    for (int i = 0; i < 3; i++)
-        w->result.count[counted[i]] +=
-            segments * (w->result.count[counted[i]] - w->repeat->count[counted[i]]);
+    for (int i = 0; i < 2; i++)
+        w->result.count[counted[i]] += segments * (w->result.count[counted[i]] - l->count[counted[i]]);
+    w->result.count[PM_COUNT_EVENTS] += segments * instants;
     w->result.count[PM_COUNT_REPEATED_SEGMENTS] += segments;
 }
 
-int pm_repeat_pass(pm_workspace *w, const pm_repeats *segments, double kinetic, double time)
+int pm_repeat_pass(pm_workspace *w, const pm_repeat *l, const pm_repeats *segments, double kinetic,
+                   double time)
 {
     double momentum[PM_LEDGER];
     pm_frame_momentum(&w->frame, PM_NONE, momentum);
-    move_state(w, segments->n, sqrt(segments->kinetic / kinetic), time);
-    count_segments(w, segments->n, time);
+    move_state(w, l, segments->n, kinetic > 0 ? sqrt(segments->kinetic / kinetic) : 1, time);
+    count_segments(w, l, segments->n, time);
     w->ledger.energy_lost += segments->lost;
     w->path->error = segments->error;
     w->path->ended = 0; /* the error is that at the begin of the segment that follows */
