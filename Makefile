@@ -84,6 +84,9 @@ stress: setup
 	$(BIN)/python -m tests.stress.contacts $(CONTACTS)
 	$(BIN)/python -m tests.stress.misses $(MISSES)
 	$(BIN)/python -m tests.stress.tables $(TABLES)
+	$(BIN)/python -m tests.stress.tables --valid
+	$(BIN)/python -m tests.stress.tables --threads
+	$(BIN)/python -m tests.stress.files $(FILES)
 
 faults:
 	@.ci/setup --tools

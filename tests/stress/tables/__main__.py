@@ -15,9 +15,8 @@ from pathlib import Path
 
 from tests import ROOT
 from tests.stress.tables.corpus import scenes, write
+from tests.stress.tables.program import installed, sanitized
 
-MESON = Path(sys.executable).with_name("meson")
-PROGRAM = "tests/kernel/tables/fuzz_tables"
 # A change may ask for more memory than there is: the allocator says no, as it does without a sanitizer.
 _MEMORY = "allocator_may_return_null=1:max_allocation_size_mb=2000"
 LIMITS = {
@@ -25,20 +24,6 @@ LIMITS = {
     "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1",
     "TSAN_OPTIONS": "halt_on_error=1",
 }
-
-
-def build(sanitize: str) -> Path:
-    """The program, in the folder where `make sanitize` builds; "none": without a sanitizer."""
-    folder = ROOT / "build" / f"sanitize-{sanitize.replace(',', '-')}"
-    if not (folder / "build.ninja").exists():
-        options = ("-Dpython=false", "-Dbuildtype=debug", "-Doptimization=1", "-Dwerror=false")
-        subprocess.run(
-            [MESON, "setup", folder, *options, f"-Db_sanitize={sanitize}", "-Db_lundef=false"],
-            cwd=ROOT,
-            check=True,
-        )
-    subprocess.run([MESON, "compile", "-C", folder, "fuzz_tables"], check=True, stdout=subprocess.DEVNULL)
-    return folder / PROGRAM
 
 
 def main() -> int:
@@ -55,7 +40,7 @@ def main() -> int:
     write(corpus, scenes())
     if given.valid:
         return valgrind(corpus)
-    program = build("thread" if given.threads else "address,undefined")
+    program = sanitized("thread" if given.threads else "address,undefined")
     arguments = [str(given.first), str(given.count), str(given.jobs)]
     if given.only is not None:
         arguments = ["--only", str(given.only)]
@@ -70,7 +55,7 @@ def valgrind(corpus: Path) -> int:
         print("valgrind is not installed; on Debian: apt-get install valgrind")
         return 1
     options = ("--quiet", "--error-exitcode=9", "--leak-check=full", "--errors-for-leak-kinds=definite")
-    command: list[str | Path] = ["valgrind", *options, build("none"), corpus, "--valid"]
+    command: list[str | Path] = ["valgrind", *options, installed(), corpus, "--valid"]
     return subprocess.run(command, check=False).returncode
 
 

@@ -7,19 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from tests import ROOT
-from tests.stress.tables.__main__ import MESON
 from tests.stress.tables.corpus import scenes, write
+from tests.stress.tables.program import installed
 
-BUILD = ROOT / "build/python"
 CHANGES, EACH = 4000, 3
 
 
 @pytest.fixture(scope="module")
 def program() -> Path:
-    """As `make setup` has built the kernel."""
-    subprocess.run([MESON, "compile", "-C", BUILD, "fuzz_tables"], check=True, stdout=subprocess.DEVNULL)
-    return BUILD / "tests/kernel/tables/fuzz_tables"
+    return installed()
 
 
 def run(program: Path, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
