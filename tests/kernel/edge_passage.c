@@ -163,8 +163,36 @@ static int is_seen(int route)
     return 1;
 }
 
+/* A mark that rotates comes through a fixed edge from behind, close to its end, and falls on its front a moment later. */
+static void comes_from_behind(int route)
+{
+    const passage p = {
+        .body = {.v = {1.43332096, 1.38075499, 25.0556439}, .mark = {-0.06788291483, -0.0003948593729}},
+        .edge = {.pose = {1.931918040254, 1.774273859999, -2.565215254048}},
+        .length = 0.09729829995};
+    const double behind = 1.325, before = 1.3305, after = 1.332;
+    CHECK(clearance(&p, behind) < 0 && clearance(&p, before) > 0 && clearance(&p, after) < 0);
+    const double t = zero_between(&p, before, after);
+    CHECK(!is_beyond(&p, t));
+    scene *s = scene_create();
+    const int mark = scene_circle(s, scene_point(s, body_of(s, &p.body), p.body.mark[0], p.body.mark[1]), 0);
+    const double *at = p.edge.pose;
+    const int line = scene_line(s, scene_point(s, PM_GROUND, at[0], at[1]), at[2]);
+    const int contact = scene_segment(s, mark, line, 0, p.length, 0, PM_FRICTION_SMOOTH, 0);
+    const int struck = scene_ask_end(s, scene_read(s, scene_time(s)));
+    scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, contact), 1);
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    scene_set(s, PM_SETTING_MAX_TIME, 2);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[struck], t, NEAR_IT);
+    scene_free(s);
+}
+
 int main(void)
 {
+    comes_from_behind(PM_ROUTE_AUTO);
+    comes_from_behind(PM_ROUTE_RK);
     static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int k = 0; k < 3; k++) {
         int struck = 0;

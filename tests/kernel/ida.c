@@ -343,6 +343,27 @@ static void bounces_to_rest(void)
     }
 }
 
+/* Rebounds far below the tolerance of positions, beside a fast body a long way off that gives the scene its size and speed: the
+ * first bounce ends in its time all the same, and in the middle of the second the mark is on top. */
+static void low_bounces(double accuracy)
+{
+    const double v = 1e-4, e = 0.5, flight_time = 2 * v / G;
+    scene *s = with_ida(accuracy);
+    const int b = scene_body(s, 0.7, 0, 0, 0, 0), far_one = scene_body(s, 1, 0, 0, 50, 0),
+              mark = scene_point(s, b, 0, 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, mark, 0), scene_floor(s, 0), 0, e,
+                                PM_FRICTION_SMOOTH, 0);
+    scene_start_velocity(s, mark, 0, v);
+    scene_start_velocity(s, scene_point(s, far_one, 0, 0), 1, 0);
+    const int strikes = count_of(s, scene_on(s, PM_TRIGGER_STRIKE, c)),
+              speed = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, mark, PM_PART_Y));
+    scene_until_time(s, (1 + 0.5 * e) * flight_time);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[strikes], 1);
+    NEAR(s->out[speed], 0, 0.1 * v);
+    scene_free(s);
+}
+
 /* ---- failures, sameness ---- */
 /* A force whose program has no value from the start on, or from an instant that no step can pass. */
 static void fails_with_a_number(void)
@@ -462,6 +483,7 @@ int main(void)
     grazes();
     held_zeros();
     bounces_to_rest();
+    for (double accuracy = 1e-4; accuracy > 5e-7; accuracy *= 0.1) low_bounces(accuracy);
     fails_with_a_number();
     residual_without_a_value();
     same_bits();

@@ -313,17 +313,22 @@ static void drawn_rod(void)
 
 /* A rod that turns while it slips comes to where its friction just draws it, at 47 degrees.  What happens there is open by
  * theory, and rounding decides whether it parts before: each run parts, or the place is named, or struck. */
+static scene *turning_rod(double degrees, double mu, double slip, double omega)
+{
+    scene *s = sliding_rod(degrees * M_PI / 180, mu, 0);
+    s->rows[PM_TABLE_UNTIL] = s->rows[PM_TABLE_START] = 0;
+    scene_start_omega(s, 0, omega);
+    scene_start_velocity(s, scene_point(s, 0, -0.5, 0), slip, 0);
+    scene_until_time(s, 0.1);
+    return s;
+}
+
 static void jammed_rod(void)
 {
     int named = 0, struck = 0;
     for (int n = 0; n < 54; n++) {
-        const double angle = (33 + 0.3 * (n / 2)) * M_PI / 180;
         const int stops = n % 2;
-        scene *s = sliding_rod(angle, 1.6, 0);
-        s->rows[PM_TABLE_UNTIL] = s->rows[PM_TABLE_START] = 0;
-        scene_start_omega(s, 0, 2);
-        scene_start_velocity(s, scene_point(s, 0, -0.5, 0), -4, 0);
-        scene_until_time(s, 0.1);
+        scene *s = turning_rod(33 + 0.3 * (n / 2), 1.6, -4, 2);
         const int lost = scene_ask_measure(s, scene_measure(s, PM_MEASURE_LOST, PM_NONE));
         if (stops) scene_cell(s, PM_TABLE_CONTACT, 0, PM_CONTACT_PAINLEVE, PM_PAINLEVE_STOPS);
         const int status = scene_run(s, NULL);
@@ -336,6 +341,64 @@ static void jammed_rod(void)
         scene_free(s);
     }
     CHECK(named >= 5 && struck >= 5);
+}
+
+/* Where a route stops a rounding before that place, with friction that just does not draw it, it is struck all the same. */
+static void nearly_drawn_rod(void)
+{
+    int struck = 0;
+    for (int n = 0; n < 40; n++) {
+        scene *s = turning_rod(33.9757 + 1e-5 * n, 1.88315, -4.28456, 2.04469);
+        scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, 0));
+        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+        const int status = scene_run(s, NULL);
+        CHECK(status != PM_PAINLEVE);
+        struck += s->count[PM_COUNT_JUMPS] > 0;
+        scene_free(s);
+    }
+    CHECK(struck > 20);
+}
+
+/* The tip of two rods that hang on a pin strikes the floor.  Their masses differ by up to a million million, and rounding leaves
+ * the tip a speed; where friction has stopped it, it sticks. */
+static void light_rods(void)
+{
+    int stuck = 0;
+    for (int n = 0; n < 400; n++) {
+        scene *s = scene_create();
+        double end[2] = {0, 2}, fastest = 0;
+        int hook = scene_point(s, PM_GROUND, 0, 2);
+        for (int i = 0; i < 2; i++) {
+            const double mass = pow(10, check_random(-6, 6)), angle = check_random(-2.6, -0.5),
+                         omega = check_random(-4, 4);
+            const int b =
+                scene_body(s, mass, mass / 12, end[0] + 0.5 * cos(angle), end[1] + 0.5 * sin(angle), angle);
+            scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), hook, 0);
+            scene_start_omega(s, b, omega);
+            hook = scene_point(s, b, 0.5, 0);
+            end[0] += cos(angle);
+            end[1] += sin(angle);
+            fastest = fmax(fastest, fabs(omega));
+        }
+        const int floor = scene_line(s, scene_point(s, PM_GROUND, 0, end[1] - 1e-3), 0);
+        const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, hook, 0), floor, 0, 0,
+                                    PM_FRICTION_COULOMB, check_random(0.5, 3));
+        const int strikes = scene_on(s, PM_TRIGGER_STRIKE, c),
+                  sticks = scene_ask_measure(
+                      s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STICK, c))),
+                  slip = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, hook, PM_PART_X));
+        scene_until(s, strikes, 1);
+        scene_set(s, PM_SETTING_MAX_TIME, 0.05);
+        scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+        const int status = scene_run(s, NULL);
+        CHECK(status == PM_OK || status == PM_LIMIT_TIME);
+        if (status == PM_OK && fabs(s->out[slip]) < 1e-4 * fastest) {
+            EQUAL(s->out[sticks], 1);
+            stuck++;
+        }
+        scene_free(s);
+    }
+    CHECK(stuck > 50);
 }
 
 /* A pinned rod: one degree of freedom.  Moments about the pin give its spin after the blow. */
@@ -477,6 +540,8 @@ int main(void)
     free_rod();
     drawn_rod();
     jammed_rod();
+    nearly_drawn_rod();
+    light_rods();
     pinned_rod();
     fails();
     two_ends();
