@@ -8,8 +8,8 @@
 
 #include "events/extremum_parts.h"
 #include "events/step.h"
+#include "events/switch_search.h"
 #include "events/watched_samples.h"
-#include "numerics/bracket.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
@@ -99,19 +99,9 @@ static int extremes_of(pm_workspace *w, pm_extremum *of, int first, int last)
 }
 
 /* ---- between two nodes ---- */
-typedef struct pm_extremum_switch {
-    const pm_extremum *peak;
-    int i; /* the switch */
-    pm_switches here;
-} pm_extremum_switch;
-
-static double argument(void *of, double t, void *context)
+static pm_switch_search search_of(const pm_model *m, const pm_extremum *p, int i)
 {
-    pm_workspace *w = of;
-    pm_extremum_switch *x = context;
-    if (pm_ask_look(w, t, 1)) return NAN;
-    pm_watched_samples_here(w, pm_ask_program(PM_ASK_ROW(w->model, x->peak->ask)), &x->here);
-    return x->here.arg[x->i][0];
+    return (pm_switch_search){.program = pm_ask_program(PM_ASK_ROW(m, p->ask)), .exactly = 1, .i = i};
 }
 
 /* Where a switch changes, if that is inside the step. */
@@ -126,10 +116,10 @@ static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum
 {
     const double from = pm_step_node(&w->step, k), to = pm_step_node(&w->step, k + 1);
     const double fa = b->at.arg[i][k], fb = b->at.arg[i][k + 1];
-    pm_extremum_switch x = {.peak = p, .i = i};
+    pm_switch_search x = search_of(w->model, p, i);
     *t = fabs(fa) < fabs(fb) ? from : to;
     if (!(fa * fb < 0)) return PM_OK;
-    const int end = pm_bracket_find(w->ask->solver, argument, w, &x, from, fa, to, fb, t);
+    const enum pm_search_end end = pm_switch_search_find(w, &x, from, fa, to, fb, t);
     if (end == PM_SEARCH_NO_NUMBER) {
         w->ask->undefined[p->ask] = 1; /* it has no value somewhere */
         return PM_OK;
@@ -161,10 +151,10 @@ static int stays_below(const struct pm_ask_set *ask, const pm_extremum *left, co
 /* The branch between two places where switches change, if it is none of those at the nodes: its extremes. */
 static int extremes_within(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int k, double t)
 {
-    pm_extremum_switch x = {.peak = p};
+    pm_switch_search x = search_of(w->model, p, 0);
     pm_extremum_signs sign;
     pm_extremum of;
-    argument(w, t, &x);
+    (void)pm_switch_search_argument(w, t, &x);
     for (int i = 0; i < b->at.n; i++) sign[i] = x.here.arg[i][0] < 0 ? -1 : b->sign[k][i] != 0;
     if (same_branch(b, sign, b->sign[k]) || same_branch(b, sign, b->sign[k + 1])) return PM_OK;
     return sample_branch(w, p, b, sign, &of) ? extremes_of(w, &of, k, k + 1) : PM_OK;

@@ -11,8 +11,8 @@
 
 #include "events/ask.h"
 #include "events/step.h"
+#include "events/switch_search.h"
 #include "events/watched_samples.h"
-#include "numerics/bracket.h"
 #include "numerics/chebyshev.h"
 #include "numerics/tolerances.h"
 #include "state/arena.h"
@@ -99,19 +99,10 @@ typedef struct pm_integral_place {
 
 /* The places inside a step where one of the n switches changes. */
 typedef struct pm_integral_cuts {
-    int program, nswitch, n;
+    int nswitch, n;
     double at[PM_CUTS];
-    int changing; /* the switch that is looked for */
-    pm_switches here;
+    pm_switch_search search;
 } pm_integral_cuts;
-
-static double argument(void *of, double t, void *context)
-{
-    pm_integral_cuts *x = context;
-    if (pm_ask_look(of, t, 0)) return NAN;
-    pm_watched_samples_here(of, x->program, &x->here);
-    return x->here.arg[x->changing][0];
-}
 
 static int changes(double a, double b) { return (a < 0 && b > 0) || (a > 0 && b < 0); }
 
@@ -121,13 +112,13 @@ static int find_change(pm_workspace *w, pm_integral_cuts *x, pm_integral_place *
 {
     for (int i = 0; i < x->nswitch; i++) {
         if (!changes(from->arg[i], to->arg[i])) continue;
-        x->changing = i;
-        const int end = pm_bracket_find(w->ask->solver, argument, w, x, from->t, from->arg[i], to->t,
-                                        to->arg[i], &middle->t);
+        x->search.i = i;
+        const enum pm_search_end end =
+            pm_switch_search_find(w, &x->search, from->t, from->arg[i], to->t, to->arg[i], &middle->t);
         if (end == PM_SEARCH_NO_NUMBER) continue;
         if (middle->t > from->t && middle->t < to->t) {
-            (void)argument(w, middle->t, x);
-            for (int k = 0; k < x->nswitch; k++) middle->arg[k] = k == i ? 0 : x->here.arg[k][0];
+            (void)pm_switch_search_argument(w, middle->t, &x->search);
+            for (int k = 0; k < x->nswitch; k++) middle->arg[k] = k == i ? 0 : x->search.here.arg[k][0];
             return 1;
         }
         (middle->t <= from->t ? from : to)->arg[i] = 0;
@@ -159,10 +150,11 @@ static void find_cuts(pm_workspace *w, int ask, pm_integral_cuts *x)
     pm_integral_place from, to;
     double value[PM_NODES_MOST];
     x->n = 0;
-    x->here.sign = NULL;
     if (w->ask->switches[ask] == 0) return;
-    x->program = pm_ask_program(PM_ASK_ROW(w->model, ask));
-    pm_watched_samples_run(w, x->program, &at_nodes, value);
+    x->search.program = pm_ask_program(PM_ASK_ROW(w->model, ask));
+    x->search.exactly = 0;
+    x->search.here.sign = NULL;
+    pm_watched_samples_run(w, x->search.program, &at_nodes, value);
     x->nswitch = at_nodes.n;
     place_node(&w->step, &at_nodes, 0, &from);
     for (int k = 1; k < w->step.nodes->n; k++, from = to) {

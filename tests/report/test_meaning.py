@@ -32,10 +32,17 @@ TABLES: list[type[Table]] = [
         if isinstance(model, type) and issubclass(model, Table) and model not in BASES
     ),
 ]
+
+
+def _inherited(model: type[Table]) -> set[str]:
+    """The keys that a table has from another one, where they have their meaning."""
+    return {key for base in model.__mro__[1:] if base in TABLES for key in base.file_keys()}
+
+
 COUPLING_QUANTITIES = {quantity for kind in KINDS["couplings"].values() for quantity in kind.quantities}  # type: ignore[attr-defined]
 WORDS: Mapping[str, Mapping[str, set[str]]] = {
     "tables": {
-        **{model.__name__: set(model.file_keys()) for model in TABLES},
+        **{model.__name__: set(model.file_keys()) - _inherited(model) for model in TABLES},
         "Sweep": {"zip", "design"},  # beside it stand parameters
     },
     "kinds": {

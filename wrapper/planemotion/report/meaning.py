@@ -40,7 +40,8 @@ def meanings() -> Mapping[str, Mapping[str, Mapping[str, Meaning]]]:
 
 
 def meaning_of(model: type[Table], key: str) -> Meaning:
-    """The meaning of a key of a table, or of an element of some kind.
+    """The meaning of a key of a table, or of an element of some kind; what a table takes from another (a swept
+    parameter from a grid) has its meaning there.
 
     Raises KeyError for a word that has none.
     """
@@ -48,4 +49,8 @@ def meaning_of(model: type[Table], key: str) -> Meaning:
         if key in Element.model_fields:
             return meanings()["tables"]["Element"][key]
         return meanings()["kinds"][model.word][key]
-    return meanings()["tables"][model.__name__][key]
+    said = meanings()["tables"]
+    homes = [base.__name__ for base in model.__mro__ if key in said.get(base.__name__, {})]
+    if not homes:
+        raise KeyError(key)
+    return said[homes[0]][key]
