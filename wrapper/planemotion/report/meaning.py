@@ -40,8 +40,9 @@ def meanings() -> Mapping[str, Mapping[str, Mapping[str, Meaning]]]:
 
 
 def meaning_of(model: type[Table], key: str) -> Meaning:
-    """The meaning of a key of a table, or of an element of some kind; what a table takes from another (a swept
-    parameter from a grid) has its meaning there.
+    """The meaning of a key of a table, or of an element of some kind.
+
+    What a table takes from another one, as a swept parameter from a grid, has its meaning there.
 
     Raises KeyError for a word that has none.
     """
