@@ -26,24 +26,29 @@ void pm_trigger_reset(const pm_model *model, pm_firing *x)
 double pm_trigger_count(const pm_firing *firing, int event)
 {
     const int64_t count = firing->count[event];
-    return count >= PM_COUNTLESS ? INFINITY : (double)count;
+    return count < 0 ? NAN : count >= PM_COUNTLESS ? INFINITY : (double)count;
+}
+
+static void lose_count(const pm_model *model, pm_firing *firing, int event, double t, int64_t count)
+{
+    const int once = PM_EVENT_ROW(model, event)[PM_EVENT_NTH] > 0;
+    if (once && firing->count[event] > 0) return;
+    firing->seen[event] = count;
+    firing->count[event] = once && count == PM_COUNTLESS ? 1 : count;
+    firing->time[event] = t;
 }
 
 void pm_trigger_countless(const pm_model *model, pm_firing *firing, int event, double t)
 {
-    const int once = PM_EVENT_ROW(model, event)[PM_EVENT_NTH] > 0;
-    if (once && firing->count[event] > 0) return;
-    firing->seen[event] = PM_COUNTLESS;
-    firing->count[event] = once ? 1 : PM_COUNTLESS;
-    firing->time[event] = t;
+    lose_count(model, firing, event, t, PM_COUNTLESS);
 }
 
-void pm_trigger_countless_strikes(pm_workspace *w, int contact)
+void pm_trigger_lose_strikes(pm_workspace *w, int contact, int64_t count)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         if (e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == contact)
-            pm_trigger_countless(w->model, &w->firing, e[PM_TRIGGER_EVENT], w->state.t);
+            lose_count(w->model, &w->firing, e[PM_TRIGGER_EVENT], w->state.t, count);
     }
 }
 

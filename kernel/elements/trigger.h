@@ -4,7 +4,9 @@
 
 #include "state/workspace.h"
 
-#define PM_COUNTLESS (INT64_MAX / 2) /* count of an event that has fired infinitely often */
+/* Counts of an event that has fired infinitely often, and of one that fires and is not seen to. */
+#define PM_COUNTLESS (INT64_MAX / 2)
+#define PM_UNCOUNTED (INT64_MIN / 2)
 
 /* What stands in pm_firing.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
 enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2 };
@@ -43,9 +45,9 @@ void pm_trigger_mark(const pm_model *model, pm_firing *firing, int kind, int con
 /* Marks what fires at the start: triggers of it, and those on time that are due then. */
 void pm_trigger_mark_start(pm_workspace *w);
 /* What the event waits for has happened infinitely often until time t: so it has fired, or once if it fires at the nth time
- * alone; all events of a contact that has been struck so, until now. */
+ * alone; all events of a contact that is struck so (PM_COUNTLESS), or from now on with nobody to count it (PM_UNCOUNTED). */
 void pm_trigger_countless(const pm_model *model, pm_firing *firing, int event, double t);
-void pm_trigger_countless_strikes(pm_workspace *w, int contact);
+void pm_trigger_lose_strikes(pm_workspace *w, int contact, int64_t count);
 /* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
 void pm_trigger_next_blow(const pm_model *model, pm_firing *firing);
 /* The event fires at this instant: one of its triggers is marked, for the time that counts. */

@@ -13,6 +13,10 @@ void pm_bounce_series_strike(const pm_workspace *w, int contact);
 void pm_bounce_series_cut(const pm_workspace *w);
 /* 1 if the flights of the contact shrink by a ratio that is known: so are those that are not computed. */
 int pm_bounce_series_is_settled(const pm_workspace *w, int contact);
+/* 1 if they hardly shrink at all: what bounces so low that it is cut off goes on bouncing, and nobody knows until when. */
+int pm_bounce_series_is_endless(const pm_workspace *w, int contact);
+/* Where nothing moves any more but for such bounces: PM_BOUNCES_ON. */
+int pm_bounce_series_check(pm_workspace *w);
 /* The next time at which such a series is over, s; INFINITY: none is going on. */
 double pm_bounce_series_next(const pm_workspace *w);
 /* 1 if such a series is over by now; it is forgotten. */

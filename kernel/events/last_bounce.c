@@ -23,27 +23,22 @@ static double cut_speed(const pm_workspace *w, double share)
     return (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER : 1) * share * w->numbers.speed;
 }
 
-static double far_off(const pm_workspace *w) { return sqrt(pm_contact_reach(w) / w->numbers.size); }
-
-/* Where the top of a bounce is an instant of its own the contact must not touch there. */
-static double at_least(const pm_workspace *w, double share)
+/* Of the scene's speed, what is lost where places are rounded to so much; and where the top of a bounce is an instant of its own
+ * the contact must not touch there. */
+static double lost(const pm_workspace *w, double share)
 {
-    return w->phase.route->meets_places ? PM_LOWEST_TOP : share;
+    const double far_off = sqrt(pm_contact_reach(w) / w->numbers.size);
+    return fmax(share * far_off, w->phase.route->meets_places ? PM_LOWEST_TOP : 0);
 }
 
 /* Below which rebounds are the last.  Where it is known how long a series goes on it is followed less far. */
 static double last_speed(const pm_workspace *w, int contact)
 {
-    const double lost = PM_LAST_BOUNCE * far_off(w);
-    if (!pm_bounce_series_is_settled(w, contact)) return cut_speed(w, lost);
-    return cut_speed(w, fmax(lost, at_least(w, PM_BOUNCE_SETTLED)));
+    const int settled = pm_bounce_series_is_settled(w, contact);
+    return cut_speed(w, fmax(lost(w, PM_LAST_BOUNCE), settled ? PM_BOUNCE_SETTLED : 0));
 }
 
-static double spent_speed(const pm_workspace *w)
-{
-    const double lost = PM_BOUNCE_SPENT * far_off(w);
-    return cut_speed(w, fmax(lost, at_least(w, lost)));
-}
+static double spent_speed(const pm_workspace *w) { return cut_speed(w, lost(w, PM_BOUNCE_SPENT)); }
 
 static int is_resolved(const pm_workspace *w, int contact)
 {

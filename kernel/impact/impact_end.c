@@ -7,6 +7,7 @@
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "equations/shared_reading.h"
+#include "events/bounce_series.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances.h"
@@ -134,7 +135,8 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
         if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))
             pm_active_set_anchor(&w->frame, &w->state, i);
         if (b->held[i] || (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0)) {
-            pm_trigger_countless_strikes(w, contact);
+            pm_trigger_lose_strikes(w, contact,
+                                    pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);
             pm_evidence_part(&w->evidence, contact);
             pm_evidence_cut(&w->evidence);
             series_ends = 1;

@@ -206,15 +206,21 @@ static int act(pm_workspace *w, int begins, int *ended)
     return status;
 }
 
+/* Nothing will change any more, and the end is not reached. */
+static int check_rest(pm_workspace *w)
+{
+    if (w->model->programs.use_time || w->request.program != PM_NONE || !at_rest(&w->frame, PM_NONE))
+        return PM_OK;
+    if (pm_bounce_series_moves(w, PM_NONE)) return pm_bounce_series_check(w);
+    return pm_fail(&w->result, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t,
+                   (double)w->result.count[PM_COUNT_STEPS]);
+}
+
 int pm_instant_finish(pm_workspace *w, int *ended)
 {
     mark_rest(w);
     const int status = close(w, ended);
-    if (!status && !*ended && rests(w, PM_NONE) && !w->model->programs.use_time &&
-        w->request.program == PM_NONE)
-        return pm_fail(&w->result, PM_STAYS_AT_REST, PM_NONE, PM_NONE, w->state.t,
-                       (double)w->result.count[PM_COUNT_STEPS]);
-    return status;
+    return status || *ended ? status : check_rest(w);
 }
 
 int pm_instant_start(pm_workspace *w)

@@ -24,6 +24,7 @@ static const char *text_of(enum pm_status status)
     case PM_STRAND_ENDS: return "a cord has no free length left";
     case PM_TABLE_ENDS: return "a table of values has no value there";
     case PM_CURVE_ENDS: return "what runs along a curve has come to its end";
+    case PM_BOUNCES_ON: return "bounces too low to be computed go on without an end that is known";
     case PM_ALTERNATES: return "contacts change in turn and no time passes";
     case PM_DRIVE_JUMPS: return "a prescribed place jumps";
     case PM_UNDECIDED: return "the errors of the run might have changed a decision on the way";

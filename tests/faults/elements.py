@@ -450,7 +450,7 @@ FAULTS = [
     Fault(
         "event: what fires at the nth time fires without end",
         "elements/trigger.c",
-        "firing->count[event] = once ? 1 : PM_COUNTLESS;",
-        "firing->count[event] = PM_COUNTLESS;",
+        "firing->count[event] = once && count == PM_COUNTLESS ? 1 : count;",
+        "firing->count[event] = count;",
     ),
 ]

@@ -346,13 +346,13 @@ FAULTS = [
     Fault(
         "series: what is left of it takes no time",
         "events/bounce_series.c",
-        "* ratio / (1 - ratio);",
-        "* 0;",
+        "return flight * ratio / (1 - ratio);",
+        "return 0 * flight * ratio;",
     ),
     Fault(
         "series: a body in its last bounces rests",
         "events/bounce_series.c",
-        "if (w->event->series[i].over > w->state.t && (body",
+        "if (is_going_on(w, i) && (body",
         "if (0 && (body",
     ),
     Fault(
@@ -562,7 +562,19 @@ FAULTS = [
     Fault(
         "jump: rocking goes on where its top touches",
         "events/last_bounce.c",
-        "return cut_speed(w, fmax(lost, at_least(w, lost)));",
-        "return cut_speed(w, lost);",
+        "w->phase.route->meets_places ? PM_LOWEST_TOP : 0)",
+        "0)",
+    ),
+    Fault(
+        "series: flights that do not shrink come to an end",
+        "events/bounce_series.c",
+        "if (x->known < 3 || ratio_of(x) > 0) return 0;",
+        "return 0;",
+    ),
+    Fault(
+        "series: what is not known of it is not told",
+        "events/bounce_series.c",
+        "*unknown = longest - sum(last, e);",
+        "*unknown = 0;",
     ),
 ]

@@ -264,8 +264,8 @@ FAULTS = [
     Fault(
         "jump: its blows can be counted",
         "impact/impact_end.c",
-        "pm_trigger_countless_strikes(w, contact);",
-        "",
+        "pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);",
+        "0);",
     ),
     Fault(
         "impact: friction drives the slip",

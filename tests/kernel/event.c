@@ -190,6 +190,37 @@ static void comes_to_rest(void)
     scene_free(s);
 }
 
+/* A particle that a spring of rate 100/s^2 draws to `behind` a floor, let go 0.1 m above it: flights of 2/w atan(v / (w behind)).
+ * Where nothing presses it on it bounces without end, and its blows are no longer counted.  What is told is right. */
+static void bounces_about_its_equilibrium(double e, double behind)
+{
+    scene *s = scene_create();
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    scene_set(s, PM_SETTING_ACCURACY, 1e-8);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    const int b = scene_body(s, 1, 0, 0, 0.1, 0), p = scene_point(s, b, 0, 0);
+    scene_force(s, PM_FORCE_SPRING, p, scene_point(s, PM_GROUND, 0, -behind), 100, 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), scene_floor(s, 0), 0, e,
+                                PM_FRICTION_SMOOTH, 0);
+    const int count = count_of(s, scene_on(s, PM_TRIGGER_STRIKE, c));
+    const int at = scene_ask_measure(s, scene_time(s));
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, b), 1);
+    const double v = 10 * sqrt(0.01 + 0.2 * behind);
+    double t = 0.1 * acos(behind / (0.1 + behind));
+    for (double u = e * v; behind > 0 && u > 1e-20; u *= e) t += 0.2 * atan(u / (10 * behind));
+    const int status = scene_run(s, NULL);
+    if (behind == 0) {
+        EQUAL(status, PM_BOUNCES_ON);
+        CHECK(isnan(s->out[at]) && isnan(s->out[count]));
+    } else {
+        EQUAL(status, PM_OK);
+        NEAR(s->out[at], t, 4 * s->error[at] + 1e-9);
+        CHECK(isinf(s->out[count]) && s->error[at] < 0.05);
+    }
+    scene_free(s);
+}
+
 static void start_event(void)
 {
     flight t = thrown(2, 8);
@@ -485,6 +516,10 @@ int main(void)
     at_one_instant();
     bounces();
     comes_to_rest();
+    for (double e = 0.06; e < 0.9; e += 0.2) {
+        bounces_about_its_equilibrium(e, 0);
+        for (double behind = 3e-6; behind < 1; behind *= 10) bounces_about_its_equilibrium(e, behind);
+    }
     start_event();
     due_at_the_start();
     groups();

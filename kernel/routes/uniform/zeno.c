@@ -394,7 +394,7 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     pm_integral_leap(w, r.time);
     pm_step_set(&w->step, w->state.t, w->state.t);
     w->result.count[PM_COUNT_JUMPS]++;
-    pm_trigger_countless_strikes(w, contact);
+    pm_trigger_lose_strikes(w, contact, PM_COUNTLESS);
     pm_zeno_reset(w->uniform);
     return pm_projection_apply(w, &w->state);
 }

@@ -240,6 +240,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         f"solve.max_cpu: given up after {bound:g} s of computing time; what was answered before stands"
     ),
     layout.PM_ALTERNATES: _alternates,
+    layout.PM_BOUNCES_ON: lambda place, found, bound: (
+        f"{place}: its bounces are too low to be computed, and each takes about as long as the one before "
+        f"({found:.6g} s after {bound:.6g} s): nothing tells that it ever comes to rest; what was "
+        "answered before stands"
+    ),
     layout.PM_CANCELLED: lambda place, found, bound: "cancelled before it was finished",
     layout.PM_STAYS_AT_REST: lambda place, found, bound: (
         "until: not reached; everything has come to rest and stays"
