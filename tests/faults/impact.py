@@ -758,4 +758,16 @@ FAULTS = [
         "status != PM_SINGULAR && status != PM_ALTERNATES)",
         "status != PM_SINGULAR)",
     ),
+    Fault(
+        "drives: what lies on a surface jumps with it",
+        "impact/drives.c",
+        "s->mode = pm_contact_modes_of_slip(&w->frame, contact, s->member);",
+        ";",
+    ),
+    Fault(
+        "drives: what is rough is not struck by its surface",
+        "impact/drives.c",
+        "== PM_FRICTION_ROUGH) *clashes = 1;",
+        "== PM_FRICTION_ROUGH) (void)clashes;",
+    ),
 ]

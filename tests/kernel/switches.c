@@ -149,6 +149,37 @@ static void a_peak(int route)
     }
 }
 
+/* A disk lies on a belt that begins to run with v: it gets v / 3, by friction in v / 3 mu g, or if it is rough by an impulse.  Then
+ * the belt runs back: what slips the one way slips the other. */
+static void a_belt(int rough, double back, int route)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const double r = 0.2, m = 3, v = 1.5, mu = 0.4, knots[] = {0.3, back};
+    const int b = scene_body(s, m, 0.5 * m * r * r, 0, r, 0), g = scene_point(s, b, 0, 0);
+    const int c = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, r), scene_floor(s, 0), 0, 0,
+                                rough ? PM_FRICTION_ROUGH : PM_FRICTION_COULOMB, rough ? 0 : mu);
+    const scene_code time = scene_m(scene_time(s));
+    for (int i = 0; i < 2; i++) scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_time(s), knots[i]));
+    scene_cell(s, PM_TABLE_CONTACT, c, PM_CONTACT_SPEED,
+               SCENE_PROGRAM(s, time, scene_k(s, knots[0]), scene_op(PM_OP_GE), scene_k(s, v),
+                             scene_op(PM_OP_MUL), time, scene_k(s, knots[1]), scene_op(PM_OP_GE),
+                             scene_k(s, -2 * v), scene_op(PM_OP_MUL), scene_op(PM_OP_ADD)));
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
+    const int speed = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X));
+    const int lost = scene_ask_measure(s, scene_measure(s, PM_MEASURE_LOST, PM_NONE));
+    scene_until_time(s, 2);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double a = mu * G, caught = rough ? 0 : v / (3 * a), first = fmin(caught, back - knots[0]);
+    const double u = rough ? v / 3 : a * first, turns = rough ? 0 : (u + v / 3) / a;
+    const double way = 0.5 * u * first + u * (back - knots[0] - first);
+    NEAR(s->out[x], way + 0.5 * (u - v / 3) * turns - v / 3 * (2 - back - turns), 1e-7);
+    NEAR(s->out[speed], -v / 3, 1e-7);
+    CHECK(rough || s->out[lost] == 0);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-7);
+    scene_free(s);
+}
+
 int main(void)
 {
     static const int route[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
@@ -161,6 +192,10 @@ int main(void)
         line(0, route[i]);
         line(1, route[i]);
         a_peak(route[i]);
+        for (int rough = 0; rough < 2; rough++) {
+            a_belt(rough, 1, route[i]);
+            a_belt(rough, 0.35, route[i]);
+        }
     }
     return check_failures();
 }

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import random
 
 import pytest
 from scipy.optimize import brentq
@@ -158,3 +160,81 @@ def test_a_crate_slips_and_holds_on_a_table_that_reverses(route: str, rate: floa
     assert result.asks["v"].value == pytest.approx(abs(known.v), abs=close)
     assert result.asks["slips"].value == known.slips
     assert result.asks["holds"].value == known.holds
+
+
+def stepped(position: float, tilt: float, mu: float, steps: list[tuple[float, float]], end: float) -> float:
+    """Where a belt whose speed jumps carries a particle: it slips until it has caught up."""
+    x, v, now = position, 0.0, 0.0
+    for k, (begin, speed) in enumerate(steps):
+        x, v, now = x + v * (begin - now), v, begin
+        until = steps[k + 1][0] if k + 1 < len(steps) else end
+        gain = G * (math.copysign(mu * math.cos(tilt), speed - v) - math.sin(tilt))
+        slips = min((speed - v) / gain, until - now)
+        x, now = x + v * slips + 0.5 * gain * slips**2, now + slips
+        v = speed if slips < until - begin else v + gain * slips
+    return x + v * (end - now)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_belt_whose_speed_jumps_takes_along_by_friction_alone(route: str) -> None:
+    """No blow presses, so that friction has no impulse: the mass does not jump, whatever its slip."""
+    rng = random.Random(4)
+    for _ in range(4 if route == "ida" else 12):
+        tilt, mu = rng.uniform(0, 0.1), rng.uniform(0.2, 0.8)
+        steps = [(0.2, rng.uniform(-2, 2))]
+        while len(steps) < 4:
+            steps.append((steps[-1][0] + rng.uniform(0.05, 0.6), rng.uniform(-2, 2)))
+        jumps = "".join(
+            f" + ({now - before!r} m/s)*(t > ({begin!r} s))"
+            for (_, before), (begin, now) in itertools.pairwise([(0, 0.0), *steps])
+        )
+        text = f"""
+until = "t = 3 s"
+ground.lines.belt = {{ through = [0, 0], angle = "{tilt!r} rad" }}
+bodies.m = {{ mass = "2 kg", at = [0, 0] }}
+contacts.c = {{ touch = ["m", "ground.belt"], friction = {mu!r}, surface_speed = "(0 m/s){jumps}" }}
+start.m.velocity = [0, 0]
+events.slips = "c slips"
+[ask]
+x = "m.x"
+slipped = "slips.count"
+first = {{ of = "t", at = "slips" }}
+lost = "energy.lost"
+"""
+        found = answers(text, route)
+        way = stepped(0, tilt, mu, steps, 3)
+        assert found["x"] == pytest.approx(way * math.cos(tilt), rel=within(route), abs=1e-9)
+        assert found["slipped"] > 0
+        assert found["first"] == pytest.approx(steps[0][0], abs=1e-12)
+        assert found["lost"] == 0
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("friction", ["0.3", '"rough"'])
+def test_a_disk_on_a_belt_whose_speed_jumps(friction: str, route: str) -> None:
+    """It gets a third of that speed: by friction in v / (3 mu g), or at once by an impulse m v / 3."""
+    text = f"""
+until = "t = 1 s"
+ground.lines.belt = {{ through = [0, 0] }}
+bodies.d = {{ disk = "0.1 m", mass = "2 kg", at = [0, "0.1 m"] }}
+[contacts.c]
+touch = ["d.rim", "ground.belt"]
+friction = {friction}
+surface_speed = "(1.5 m/s)*(t > (0.2 s))"
+[start.d]
+velocity = [0, 0]
+omega = 0
+[events]
+jump = "t = 0.2 s"
+[ask]
+v = "d.velocity.x"
+x = "d.x"
+omega = "d.omega"
+impulse = {{ of = "c.impulse.x on d", at = "jump" }}
+"""
+    found = answers(text, route)
+    slips = 0 if friction == '"rough"' else 1.5 / (3 * 0.3 * G)
+    assert found["v"] == pytest.approx(0.5, rel=within(route))
+    assert found["omega"] == pytest.approx(10, rel=within(route))
+    assert found["x"] == pytest.approx(0.5 * (0.8 - 0.5 * slips), rel=within(route))
+    assert found["impulse"] == pytest.approx(0 if slips else 1, abs=1e-12)
