@@ -69,6 +69,7 @@ WORDS: Mapping[str, Mapping[str, set[str]]] = {
         "keywords": set(KEYWORDS),
         "changes": {*words.CONTACT_CHANGES, *words.CORD_CHANGES},
         "functions": set(WRITTEN_FUNCTIONS),
+        "many": {"for", "index"},
         "laws": set(words.LAWS),
         "routes": set(words.ROUTES),
     },

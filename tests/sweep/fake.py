@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -53,6 +54,9 @@ class FakeScene:
         self.data = validate(raw, file=self.file)
         self.run_names = tuple(self.data.runs)
         self.text = self.whole_text = text
+
+    def with_values(self, values: Mapping[str, Any]) -> FakeScene:
+        raise AssertionError(f"what there is in this scene is always the same: {values}")
 
     def to_toml(self) -> str:
         return "\n".join(line for line in self.text.splitlines() if not line.startswith("#"))

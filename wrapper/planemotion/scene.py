@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, Self
 from .base.bounded import check_table, shown
 from .base.errors import SceneError, SceneHint, located
 from .base.html import html_table
+from .base.lines import Written
 from .geometry.parameters import override
 from .language.units import declared_unit
 from .model.tables import DEFAULT_G
@@ -44,12 +45,21 @@ if TYPE_CHECKING:
     from .sweep.function import SceneFunction
     from .sweep.run import ShardDone
 
+# Keys that are words of Python, as they are written there.
+_PYTHON = {"for_": "for", "with_": "with", "from_": "from"}
 # Tables that may be set beside parameters, as in "sweep.d.num".
 _SETTABLE = ("parameters", "find", "sweep", "solve")
 
 
+def _spelled(one: Any) -> Any:
+    """An element with its keys as a file has them."""
+    return {_PYTHON.get(key, key): value for key, value in one.items()} if isinstance(one, Mapping) else one
+
+
 class Scene:
     """A scene under construction, or one read from a file.
+
+    What is repeated takes `for_`, such as body("link[i]", for_="i in 1..n", ...).
 
     Values are those of a file: numbers, texts such as "10 in", true and false, lists and dicts; quantities of
     pint, numbers and arrays of numpy and arrays of quantities are taken as well.  Methods return the scene,
@@ -117,7 +127,8 @@ class Scene:
     def ground(self, **marks: Any) -> Self:
         """`points`, `lines`, `circles`, `curves` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
-            self._part("ground").setdefault(group, {}).update(plain(named))
+            spelled = {name: _spelled(one) for name, one in named.items()}
+            self._part("ground").setdefault(group, {}).update(plain(spelled))
         return self._changed()
 
     def body(self, name: str, **keys: Any) -> Self:
@@ -143,6 +154,14 @@ class Scene:
     def force(self, name: str, **keys: Any) -> Self:
         """A spring, damper, applied force or couple."""
         return self._update("forces", {name: keys})
+
+    def template(self, name: str, scene: Scene | Mapping[str, Any]) -> Self:
+        """What parts may be made of: another scene, or its table."""
+        return self._update("templates", {name: scene.table if isinstance(scene, Scene) else scene})
+
+    def part(self, name: str, use: str, **keys: Any) -> Self:
+        """A part: `use` one of the templates, or a file; `with_` a dict of its parameters."""
+        return self._update("parts", {name: {"use": use, **keys}})
 
     def start(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Self:
         """Start values by address."""
@@ -229,6 +248,8 @@ class Scene:
         """The scene as TOML that needs no other file: with the values of its tables."""
         from .file import to_toml
 
+        if self.data.whole is not None:
+            return to_toml(self.data.whole)
         values = {name: table.in_scene for name, table in self.data.tables.items() if table.file is not None}
         if not values:
             return self.text
@@ -562,7 +583,7 @@ class Scene:
         return table
 
     def _update(self, table: str, values: Mapping[str, Any]) -> Self:
-        self._part(table).update(plain(values))
+        self._part(table).update(plain({name: _spelled(one) for name, one in values.items()}))
         return self._changed()
 
     def _changed(self) -> Self:
@@ -572,9 +593,9 @@ class Scene:
     def _set(self, name: str, value: Any) -> None:
         """Sets a parameter or a setting by its dotted name."""
         first, _, rest = name.partition(".")
-        declared = {"g": DEFAULT_G, **self._raw.get("parameters", {})}
-        if not rest or first == "parameters":
-            key = rest or name
+        declared = self._declared(name)
+        if not rest or first == "parameters" or name in declared:
+            key = rest if first == "parameters" else name
             if isinstance(value, list):
                 reason = f"one value is wanted; sweep({key}=[...]) computes a case for each of a list"
                 raise SceneError(reason, file=self.file, path=key, value=value)
@@ -601,12 +622,19 @@ class Scene:
         table[keys[-1]] = literal(value)
         self._changed()
 
+    def _declared(self, name: str) -> dict[str, Any]:
+        """The parameters, also those that parts bring where the name may be one of these."""
+        declared = {"g": DEFAULT_G, **self._raw.get("parameters", {})}
+        if name in declared or name.partition(".")[0] in ("find", "sweep", "solve"):
+            return declared
+        return {**self.data.parameters, **declared} if "parts" in self._raw or "." in name else declared
+
     def _hint(self, hints: Iterable[str]) -> None:
         """Warns of each old word once, also where the scene is read again with other values."""
         for hint in hints:
             if hint not in self._hinted:
                 self._hinted.add(hint)
-                warnings.warn(located(hint, self.file, self._text), SceneHint, stacklevel=4)
+                warnings.warn(located(hint, self.file, Written(self._text)), SceneHint, stacklevel=4)
 
     def _check_not_sought(self, name: str) -> None:
         """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""

@@ -167,8 +167,8 @@ def _loads(motion: Motion, signs: Sequence[Mapping[str, Any]], word: str) -> Ite
     anchors = {sign["text"]: sign["at"][0] for sign in signs if sign["kind"] == "name"}
     recorded = motion.recorded
     for address in recorded.columns:
-        name, _, quantity = address.partition(".")
-        if quantity != f"{word}.x" or name not in anchors:
+        name = address.removesuffix(f".{word}.x")
+        if name == address or name not in anchors:
             continue
         x, y = (np.nan_to_num(recorded.columns[f"{name}.{word}.{part}"]) for part in ("x", "y"))
         if word == "impulse":

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
-from .lines import place_of
+from .lines import Written
 from .written import written
 
 _T = TypeVar("_T")
@@ -99,7 +99,7 @@ _MEANT: Mapping[str, tuple[str, ...]] = {
 # Characters of a value that a message shows.
 _MOST_SHOWN = 500
 # The key path with which a sentence begins.
-_PATH = re.compile(r"\w+(?:\.\w+|\[\d+\])*")
+_PATH = re.compile(r"\w+(?:\.\w+|\[[-\d,]+\])*")
 
 
 class PlanemotionError(Exception):
@@ -144,25 +144,36 @@ class SceneError(PlanemotionError, ValueError):
         file: str | os.PathLike[str] | None = None,
         path: str | None = None,
         value: object = None,
-        text: str | None = None,
+        text: Written | None = None,
     ) -> SceneError:
         """The same error with the missing pieces of its place filled in; pieces that it has are kept.
 
         `text`: the TOML of the scene, where its line and column are looked up.
         """
         path = self.path if self.path is not None else path
-        line, column = self.line, self.column
-        if line is None and text is not None and path is not None:
-            line, column = place_of(text, path) or (None, None)
-        return SceneError(
+        line, column, found = self.line, self.column, None
+        if line is None and self.file is None and text is not None and path is not None:
+            found, line, column = text.place(path) or (None, None, None)
+        placed = SceneError(
             self.reason,
-            file=self.file if self.file is not None else file,
+            file=self.file or found or file,
             path=path,
             value=self.value if self.value is not None else value,
             line=line,
             column=column,
-            others=[other.at(file=file, text=text) for other in self.others],
         )
+        others = [other.at(file=file, text=text) for other in self.others]
+        # One fault of what is repeated is told once.
+        told = {placed._spot: placed}
+        for other in others:
+            told.setdefault(other._spot, other)
+        placed.others = tuple(told.values())[1:]
+        return placed
+
+    @property
+    def _spot(self) -> object:
+        """What is told where; that of an unknown place is its own."""
+        return (self.file, self.line, self.column, self.reason) if self.line is not None else id(self)
 
     def __str__(self) -> str:
         """`file:line:column: path = value: reason` without what is missing; further faults below."""
@@ -183,13 +194,14 @@ def placed(file: str | None, line: int | None, column: int | None) -> str:
     return ":".join([file, *numbers])
 
 
-def located(sentence: str, file: str | None, text: str | None) -> str:
+def located(sentence: str, file: str | None, text: Written | None) -> str:
     """A sentence that begins with a key path, behind the file, if there is one, and the place of that key."""
     if file is None:
         return sentence
     path = _PATH.match(sentence)
-    place = place_of(text, path[0]) if path and text is not None else None
-    return f"{placed(file, *(place or (None, None)))}: {sentence}"
+    place = text.place(path[0]) if path and text is not None else None
+    found, line, column = place or (None, None, None)
+    return f"{placed(found or file, line, column)}: {sentence}"
 
 
 class Faults:

@@ -7,7 +7,8 @@ inline tables are all that has to be seen.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 _NAME = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
@@ -15,8 +16,41 @@ _KEYS = rf"{_NAME}(?:[ \t]*\.[ \t]*{_NAME})*"
 _HEADER = re.compile(rf"[ \t]*\[\[?[ \t]*({_KEYS})[ \t]*\]\]?")
 _KEY = re.compile(rf"[ \t]*({_KEYS})[ \t]*=")
 _ONE = re.compile(_NAME)
-_INDEX = re.compile(r"\[\d+\]")
+_INDEX = re.compile(r"\[[^\]]*\]")
 _MULTILINE = re.compile(r'"""|\'\'\'')
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a key stands: in which file (None: that of the scene) with which text, at which path."""
+
+    file: str | None
+    text: str | None
+    path: str
+
+
+@dataclass(frozen=True)
+class Written:
+    """The TOML of a scene, and by key path where what stands elsewhere was written: parts do."""
+
+    text: str | None
+    origins: Mapping[str, Origin] = field(default_factory=dict)
+
+    def place(self, path: str) -> tuple[str | None, int, int] | None:
+        """File (None: that of the scene), line and column, from 1, of a key path; None if it is not there."""
+        origin = self._origin(path)
+        if origin.text is None:
+            return None
+        place = place_of(origin.text, origin.path)
+        return (origin.file, *place) if place is not None else None
+
+    def _origin(self, path: str) -> Origin:
+        words = path.split(".")
+        for count in range(len(words) if self.origins else 0, 0, -1):
+            origin = self.origins.get(".".join(words[:count]))
+            if origin is not None:
+                return Origin(origin.file, origin.text, ".".join((origin.path, *words[count:])))
+        return Origin(None, self.text, path)
 
 
 @lru_cache(maxsize=64)
@@ -56,7 +90,7 @@ def _leads_to(keys: str, others: str) -> bool:
 
 
 def _path(keys: str) -> str:
-    return ".".join(name.strip("\"'") for name in _ONE.findall(keys))
+    return _INDEX.sub("", ".".join(name.strip("\"'") for name in _ONE.findall(keys)))
 
 
 def _values(text: str) -> Iterator[tuple[str, int, int]]:

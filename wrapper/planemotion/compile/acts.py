@@ -100,7 +100,7 @@ class Acts:
             kind = row[layout.PM_ACTION_KIND]
             if kind not in _ACTION_KINDS:
                 continue
-            event = path.split(".")[1]
+            event = path.removeprefix("events.").rpartition(".do[")[0]
             number = int(path.rpartition("[")[2].rstrip("]"))
             part = number if f"events.{event}.do[1]" in paths else None
             names = [f"{path}.{part}" for part in ("x", "y")]

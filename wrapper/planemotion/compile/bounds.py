@@ -104,7 +104,7 @@ def check_bounds(tables: Tables, data: SceneData) -> None:
 def written(data: SceneData, path: str) -> object:
     """What stands in the file at a key path; None where it is left out or is more than a number."""
     place: object = data
-    for key in path.split("."):
+    for key in data.names.split(path):
         if isinstance(place, dict):
             place = place.get(key)
         else:

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from .. import _layout as layout
 from ..base.errors import Faults, SceneError
 from ..geometry.packing import Tables
+from ..language.address import DOTTED
 from ..language.homogeneity import dimension
 from ..language.leaves import substitute
 from ..language.tree import Binary, Name, Node
@@ -26,7 +27,7 @@ _CHANGE = re.compile(
 _EVERY = re.compile(r"(.+?)\s+every\s+(.+)")
 # Of the number of a firing: what an index of the kernel can hold.
 _DIGITS = 9
-_FIRING = re.compile(r"([^\W\d]\w*)(?:\s+(\d+))?")
+_FIRING = re.compile(rf"({DOTTED})(?:\s+(\d+))?")
 _CONTACT_TRIGGER = {
     "strikes": layout.PM_TRIGGER_STRIKE,
     "opens": layout.PM_TRIGGER_OPEN,
@@ -161,8 +162,8 @@ class Instants:
             return layout.PM_TRIGGER_REST, nothing, (self.measures.drawing.body_index(thing),)
         if thing in self.measures.scope.joints:
             return self._joint_change(thing, change)
-        name, bracket, index = thing.partition("[")
         contacts = self.measures.scope.contacts
+        name, bracket, index = (thing, "", "") if thing in contacts else thing.partition("[")
         if name not in contacts:
             if name in self.measures.scope.inactive:
                 raise SceneError(f'"{name}" is not active in this run')

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from .. import _layout as layout
 from ..base.errors import Faults, SceneError
+from ..base.lines import Written
 from ..geometry.checks import Checks
 from ..geometry.drawing import GROUND, Drawing
 from ..geometry.drawn_rows import DrawnRows
@@ -87,7 +88,7 @@ class FlatScene:
     instants: Mapping[str, tuple[int, str]] = field(default_factory=dict)
     decided: frozenset[str] = frozenset()
     checks: Checks = field(default_factory=Checks)
-    source: str | None = None
+    source: Written | None = None
 
     @property
     def out_columns(self) -> int:
@@ -199,7 +200,7 @@ class _Flattener:
             bodies=tuple(self.drawing.bodies),
             find=found,
             instants=told,
-            decided=frozenset(self.parameters.decided),
+            decided=frozenset(self.parameters.decided) | data.counted,
             checks=tables.checks(),
             source=data.source.text,
         )

@@ -46,7 +46,7 @@ class HistoryColumns:
     def of_asks(self, asks: Mapping[str, Ask]) -> Columns:
         """Motion and energies; reactions of that of which an ask reads something."""
         read = {leaf.thing for ask in asks.values() for leaf in self._addresses(ask)}
-        reactions = (one for one in self._reactions() if one.partition(".")[0] in read)
+        reactions = (one for one in self._reactions() if self.drawing.names.owner(one)[0] in read)
         return self.there((*self._motion(), *reactions, *self._energies()))
 
     def shown(self) -> Columns:

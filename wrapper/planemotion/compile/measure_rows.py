@@ -129,7 +129,7 @@ class MeasureRows:
         """The direction behind `along`: an angle, or that of a line, which may turn with its body."""
         text = address.along
         assert text is not None
-        owner, _, name = text.partition(".")
+        owner, name = self.drawing.names.owner(text)
         if name and (owner == GROUND or owner in self.drawing.bodies):
             marks = self.drawing.marks(owner)
             if name not in marks.lines:

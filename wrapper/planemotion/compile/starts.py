@@ -84,7 +84,7 @@ class Starts:
         self.tables.add(layout.PM_TABLE_START, row, path)
 
     def _add_written(self, text: str, value: Value | Vector) -> None:
-        address = parse_address(text)
+        address = parse_address(text, self.drawing.names)
         path = f"start.{text}"
         if address.thing in self.measures.scope.inactive:
             return  # it is not there in this run; another run has it

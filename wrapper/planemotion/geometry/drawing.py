@@ -17,6 +17,7 @@ from typing import Protocol
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..language.dimensions import DIMENSIONLESS, LENGTH
+from ..language.names import Names
 from ..language.tree import ZERO, Node, atan2, cos, sin
 from ..model.element import Kind
 from ..model.readers import Value, Vector
@@ -93,10 +94,15 @@ class Drawing:
         self._lengths: dict[str, Node] = {}
         self._poses: dict[str, Pose] = {}
         self._drawing: list[str] = []
-        self._guesses = _guesses(data, bodies)
-        self._turned = _turned(data, bodies)
+        self._guesses = _guesses(data, bodies, self.names)
+        self._turned = _turned(data, bodies, self.names)
 
     # ---- names ----
+
+    @property
+    def names(self) -> Names:
+        """The names that are no plain words."""
+        return self.reader.parameters.tables.names
 
     def body_of(self, name: str) -> Body:
         """A body by name.  Raises SceneError with the nearest one."""
@@ -130,7 +136,7 @@ class Drawing:
 
     def point_ref(self, text: str) -> PointRef:
         """The point that a partner names: "BODY.POINT", "ground.POINT", "BODY" (its G) or "ground"."""
-        owner, _, point = text.partition(".")
+        owner, point = self.names.owner(text)
         if owner == GROUND:
             if point:
                 self.marks(GROUND).point(point)
@@ -321,7 +327,7 @@ class Drawing:
             raise SceneError(reason, path=f"bodies.{name}.at")
 
 
-def _turned(data: Drawn, bodies: Mapping[str, Body]) -> dict[str, tuple[Value, str, float]]:
+def _turned(data: Drawn, bodies: Mapping[str, Body], names: Names) -> dict[str, tuple[Value, str, float]]:
     """Bodies whose angle is prescribed against the ground: what is written, its key path, and the sign."""
     found: dict[str, tuple[Value, str, float]] = {}
     for group, kinds in (("joints", data.joints), ("couplings", data.couplings)):
@@ -329,11 +335,11 @@ def _turned(data: Drawn, bodies: Mapping[str, Body]) -> dict[str, tuple[Value, s
             angle: Value | None = getattr(one, "angle", None)
             if angle is None:
                 continue
-            owners = [partner.partition(".")[0] for partner in one.partners]
+            owners = [names.owner(partner)[0] for partner in one.partners]
             if GROUND not in owners:
                 continue
-            body, sign = (owners[0], 1.0) if owners[1] == GROUND else (owners[1], -1.0)
-            found[body] = angle, f"{group}.{name}.angle", sign
+            turned, sign = (owners[0], 1.0) if owners[1] == GROUND else (owners[1], -1.0)
+            found[turned] = angle, f"{group}.{name}.angle", sign
     for name, body in bodies.items():
         if body.driven is not None and body.driven.angle is not None:
             found[name] = body.driven.angle, f"bodies.{name}.driven.angle", 1.0
@@ -344,32 +350,54 @@ def _is_driven_to(body: Body) -> bool:
     return body.driven is not None and body.driven.at is not None
 
 
-def _guesses(data: Drawn, bodies: Mapping[str, Body]) -> dict[str, tuple[tuple[str, str], ...]]:
+def _guesses(data: Drawn, bodies: Mapping[str, Body], names: Names) -> dict[str, tuple[tuple[str, str], ...]]:
     """For bodies without `at`: up to two of their points that a pin holds to something placed before."""
-    placed = {name for name, body in bodies.items() if body.at is not None or _is_driven_to(body)}
+    pinned = _pinned(data, names)
+    free = {name: i for i, (name, body) in enumerate(bodies.items()) if body.at is None}
+    placed = {name for name, body in bodies.items() if name not in free or _is_driven_to(body)}
     guesses: dict[str, tuple[tuple[str, str], ...]] = {}
-    pins = [joint.partners for joint in data.joints.values() if joint.kind == "pin"]
+    looked_at: Collection[str] = free
     while True:
         found = {
             name: held
-            for name, body in bodies.items()
-            if body.at is None and name not in placed and (held := _held(name, pins, placed))
+            for name in sorted(looked_at, key=free.__getitem__)
+            if name not in placed and (held := _held(pinned.get(name, ()), placed))
         }
         if not found:
             return guesses
         guesses.update(found)
         placed.update(found)
+        # Only what is pinned to these can be placed now.
+        looked_at = {pin.partner for name in found for pin in pinned[name] if pin.partner in free}
 
 
-def _held(
-    name: str, pins: Collection[tuple[str, ...]], placed: Collection[str]
-) -> tuple[tuple[str, str], ...]:
-    """Points of the body that a pin holds to a placed point, with that point."""
-    held: list[tuple[str, str]] = []
-    for pin in pins:
-        for mine, other in (pin, pin[::-1]):
-            owner, _, point = mine.partition(".")
-            partner, _, mark = other.partition(".")
-            if owner == name and (partner in placed or (partner == GROUND and mark)):
-                held.append((point or "G", other))
+@dataclass(frozen=True)
+class _Pinned:
+    """A point of a body that a pin holds to a mark of its partner, `other` as written."""
+
+    point: str
+    partner: str
+    mark: str
+    other: str
+
+
+def _pinned(data: Drawn, names: Names) -> dict[str, list[_Pinned]]:
+    """What pins hold of each body, in the order of the scene."""
+    pinned: dict[str, list[_Pinned]] = {}
+    for joint in data.joints.values():
+        if joint.kind != "pin":
+            continue
+        for mine, other in (joint.partners, joint.partners[::-1]):
+            owner, point = names.owner(mine)
+            pinned.setdefault(owner, []).append(_Pinned(point or "G", *names.owner(other), other))
+    return pinned
+
+
+def _held(pins: Collection[_Pinned], placed: Collection[str]) -> tuple[tuple[str, str], ...]:
+    """Points of a body that pins hold to what is placed, with that point."""
+    held = [
+        (pin.point, pin.other)
+        for pin in pins
+        if pin.partner in placed or (pin.partner == GROUND and pin.mark)
+    ]
     return tuple(held[:2])

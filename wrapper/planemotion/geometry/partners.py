@@ -68,7 +68,7 @@ def partner(drawing: Drawing, text: str, where: str, *wanted: str) -> Partner:
 
 
 def _partner(drawing: Drawing, text: str, where: str, wanted: tuple[str, ...]) -> Partner:
-    owner, _, name = text.partition(".")
+    owner, name = drawing.names.owner(text)
     marks = drawing.marks(owner)
     if not name:
         if "point" not in wanted:

@@ -59,7 +59,7 @@ class Ratio(Coupling):
 
     def _term(self, to: Writer, address: str, where: str) -> tuple[str, Node]:
         """A body, and the number of its turns."""
-        name, _, quantity = address.partition(".")
+        name, quantity = to.drawing.names.owner(address)
         if quantity != "turned":
             raise not_built("relations of anything but BODY.turned", where)
         if name == GROUND:
@@ -72,6 +72,6 @@ class Ratio(Coupling):
         return body, number
 
     def draw(self, sketch: Sketch, where: str) -> Place:
-        a, b = (sketch.point(address.partition(".")[0], "center") for address in self.partners)
+        a, b = (sketch.point(address.removesuffix(".turned"), "center") for address in self.partners)
         sketch.pen.line([a, b], width=0.8, linestyle=":")
         return sketch.middle(a, b)

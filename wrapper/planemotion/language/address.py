@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from ..base.errors import SceneError
+from .names import PLAIN_NAMES, Names
 from .tree import Node
 from .units import NUMBER, UNIT
 
@@ -21,8 +22,8 @@ KEYWORDS = frozenset({"and", "or", "not", "in", "on", "about", "along"})
 
 _NAME = r"[^\W\d]\w*"
 # At most nine digits: what an index of the kernel can hold.
-_INDEX = r"(?:\[-?\d{1,9}\])?"
-_DOTTED = rf"{_NAME}{_INDEX}(?:\.{_NAME}{_INDEX})*"
+_INDEX = r"(?:\[-?\d{1,9}(?:,-?\d{1,9})*\])?"
+DOTTED = rf"{_NAME}{_INDEX}(?:\.{_NAME}{_INDEX})*"
 
 
 @dataclass(frozen=True)
@@ -83,8 +84,8 @@ class Scanner:
 
     def take_word(self) -> str | None:
         """A dotted name, if there is one here that is no keyword."""
-        word = self.peek(_DOTTED)
-        return None if word is None or word in KEYWORDS else self.take(_DOTTED)
+        word = self.peek(DOTTED)
+        return None if word is None or word in KEYWORDS else self.take(DOTTED)
 
     def take_keyword(self, *keywords: str) -> str | None:
         """One of the keywords, if it is next."""
@@ -97,32 +98,36 @@ class Scanner:
         """The error that something else than `wanted` stands here."""
         if self.at_end():
             return SceneError(f"it ends where {wanted} is wanted", value=self.text)
-        found = self.peek(rf"{_DOTTED}|{NUMBER}|\S")
+        found = self.peek(rf"{DOTTED}|{NUMBER}|\S")
         return SceneError(
             f'{wanted} is wanted, not "{found}" (character {self.position + 1})', value=self.text
         )
 
 
-def parse_address(text: str) -> Address:
-    """The address written in `text`.  Raises SceneError, saying where it is not one."""
+def parse_address(text: str, names: Names = PLAIN_NAMES) -> Address:
+    """The address written in `text`; `names` are those that are no plain words.
+
+    Raises SceneError, saying where it is not one."""
     scanner = Scanner(text)
     word = scanner.take_word()
     if word is None:
         raise scanner.unexpected("a name")
-    address = read_address(scanner, word)
+    address = read_address(scanner, word, names)
     if not scanner.at_end():
         raise scanner.unexpected("in, on, about, along or the end")
     return address
 
 
-def read_address(scanner: Scanner, word: str) -> Address:
+def read_address(scanner: Scanner, word: str, names: Names = PLAIN_NAMES) -> Address:
     """The address that begins with the dotted `word` just taken, with the in, on, about, along behind it."""
-    words, member, member_after = _split(word, scanner)
+    words, member, member_after = _split(word, scanner, names)
     given: dict[str, str] = {}
     while keyword := scanner.take_keyword("in", "on", "about", "along"):
         if keyword in given:
             raise SceneError(f'"{keyword}" is said twice', value=scanner.text)
-        given[keyword] = _read_along(scanner) if keyword == "along" else _read_partner(scanner, keyword)
+        given[keyword] = (
+            _read_along(scanner) if keyword == "along" else _read_partner(scanner, keyword, names)
+        )
     return Address(
         thing=words[0],
         path=tuple(words[1:]),
@@ -135,32 +140,32 @@ def read_address(scanner: Scanner, word: str) -> Address:
     )
 
 
-def _split(word: str, scanner: Scanner) -> tuple[list[str], int | None, int]:
+def _split(word: str, scanner: Scanner, names: Names) -> tuple[list[str], int | None, int]:
     """The words of a dotted name, the index in brackets and the number of the word that it follows."""
     words: list[str] = []
     member, member_after = None, 0
-    for piece in word.split("."):
-        name, bracket, index = piece.partition("[")
+    for piece in names.split(word):
+        name, bracket, index = (piece, "", "") if piece in names else piece.partition("[")
         if bracket:
-            if member is not None:
+            if member is not None or "," in index:
                 raise SceneError(f'"{word}" has two indices; one is possible', value=scanner.text)
             member, member_after = int(index.rstrip("]")), len(words)
         words.append(name)
     return words, member, member_after
 
 
-def _read_partner(scanner: Scanner, keyword: str) -> str:
+def _read_partner(scanner: Scanner, keyword: str, names: Names) -> str:
     """The dotted name behind in, on or about."""
     word = scanner.take_word()
     if word is None:
         raise scanner.unexpected(f'a {"point" if keyword == "about" else "body"} after "{keyword}"')
-    if "[" in word:
+    if any("[" in piece and piece not in names for piece in names.split(word)):
         raise SceneError(f'"{word}" has an index; "{keyword}" takes a plain name', value=scanner.text)
     return word
 
 
 _ANGLE = rf"-?\s*{NUMBER}(?:\s*(?!(?:{'|'.join(sorted(KEYWORDS))})\b){UNIT})?"
-_PLAIN_ALONG = re.compile(rf"{_ANGLE}|{_DOTTED}")
+_PLAIN_ALONG = re.compile(rf"{_ANGLE}|{DOTTED}")
 
 
 def _read_along(scanner: Scanner) -> str:

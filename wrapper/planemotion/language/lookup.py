@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from .dimensions import Dimension
+from .names import PLAIN_NAMES, Names
 from .tree import Node
 
 Beyond: TypeAlias = Literal["stop", "hold", "extend", "repeat", "zero"]
@@ -130,9 +131,10 @@ class Measured:
 
 @dataclass(frozen=True, eq=False)
 class Book:
-    """The tables of a scene by the names that expressions call them."""
+    """The tables of a scene by the names that expressions call them; its names that are no plain words."""
 
     tables: Mapping[str, Measured]
+    names: Names = PLAIN_NAMES
 
 
 NO_TABLES = Book({})

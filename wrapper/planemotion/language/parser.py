@@ -82,6 +82,7 @@ class _Parser:
             raise SceneError(f"an expression of {len(text)} characters; at most {MAX_TEXT} are read")
         self.scanner = Scanner(text)
         self.tables = tables.tables
+        self.names = tables.names
         self.nesting = 0
         # Quantities without parentheses, by identity: they must not meet an arithmetic operator.
         self.bare: list[Node] = []
@@ -142,8 +143,11 @@ class _Parser:
             return self.call(word)
         if word == "pi":
             return Number(math.pi, text="pi")
-        if "." in word or "[" in word or scanner.peek(r"(?:in|on|about|along)\b"):
-            return read_address(scanner, word)
+        joined = scanner.peek(r"(?:in|on|about|along)\b")
+        if word in self.names and not joined:
+            return Name(word)
+        if "." in word or "[" in word or joined:
+            return read_address(scanner, word, self.names)
         return Name(word)
 
     def number(self, number: str) -> Node:

@@ -117,6 +117,11 @@ class Quantity:
     value: float
 
 
+def is_common(word: str) -> bool:
+    """Whether the word is a unit that is known without pint."""
+    return word in _WORDS
+
+
 @lru_cache(maxsize=1024)
 def factor(unit: str) -> tuple[float, Dimension]:
     """SI value of one `unit`, and its dimension; ("", "1": dimensionless).

@@ -189,6 +189,13 @@ def read_circle(written: Any) -> Any:
     return written if isinstance(written, Mapping) else {"radius": written}
 
 
+def read_templates(written: Any) -> Any:
+    """Scenes by name, of which parts are made: they are read where they are used."""
+    if not isinstance(written, Mapping):
+        raise ValueError("a table of scenes is wanted")
+    return written
+
+
 def read_grid(written: Any) -> Any:
     """A list, or a table with from, to and num or step."""
     if isinstance(written, list | tuple):

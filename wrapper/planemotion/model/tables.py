@@ -355,6 +355,13 @@ class Solve(Table):
     stiffness_exponent: Number = 1
 
 
+class Part(Table):
+    """A scene within the scene: all that it defines is called PART.NAME."""
+
+    use: Text
+    with_: dict[str, Number] = Field({}, alias="with")
+
+
 class Sweep(Table):
     """What a study varies: grids by parameter, in their order, and parameters that move together."""
 

@@ -12,6 +12,7 @@ from pydantic import BeforeValidator
 from ..base.arrays import Floats
 from ..language.dimensions import Dimension
 from ..language.lookup import NO_TABLES, Beyond, Book, Measured, Piecewise
+from ..language.names import PLAIN_NAMES, Names
 from ..language.parser import parse
 from .element import Number, Table, Text
 from .readers import Value, read_column
@@ -65,12 +66,12 @@ class Tabulated(Table):
         }
 
 
-def book_of(tables: Mapping[str, Tabulated]) -> Book:
-    """The tables of a scene, and `NAME.slope` of each, as expressions read them.
+def book_of(tables: Mapping[str, Tabulated], names: Names = PLAIN_NAMES) -> Book:
+    """The tables of a scene, and `NAME.slope` of each, as expressions read them; its names.
 
     Raises SceneError for a scale or a stretch that is no expression.
     """
-    if not tables:
+    if not tables and not names.whole:
         return NO_TABLES
     named: dict[str, Measured] = {}
     for name, table in tables.items():
@@ -79,7 +80,7 @@ def book_of(tables: Mapping[str, Tabulated]) -> Book:
         values = _piecewise(name, table)
         named[name] = Measured(values, scale, stretch)
         named[f"{name}.slope"] = Measured(_slope(values), scale / stretch, stretch)
-    return Book(named)
+    return Book(named, names)
 
 
 def _piecewise(name: str, table: Tabulated) -> Piecewise:

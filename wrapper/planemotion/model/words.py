@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from ..base.errors import SceneError, nearest
-from ..language.address import KEYWORDS
+from ..language.address import DOTTED, KEYWORDS
 
 SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
 EDGE_ON_SHAPES = ("disk", "hoop")
@@ -50,7 +50,7 @@ PARTS = ("x", "y", "norm", "angle")
 
 # What an element or parameter cannot be called: the words would mean two things.
 RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, "ground", "pi", "start", "end", "rest"})
-_NAME = re.compile(r"[^\W\d]\w*")
+_NAME = re.compile(DOTTED)
 
 
 def table(raw: Mapping[str, Any], key: str) -> Mapping[str, Any]:
@@ -66,10 +66,10 @@ def mapping(value: Any, path: str) -> Mapping[str, Any]:
 
 
 def check_name(name: str, path: str) -> None:
-    """Raises SceneError if `name` cannot be used in an address."""
+    """Raises SceneError if `name` cannot be used in an address; names of parts and with an index can."""
     if not _NAME.fullmatch(name):
         raise SceneError("a name is letters, digits and _, and begins with a letter", path=f"{path}.{name}")
-    if name in RESERVED:
+    if re.split(r"[.\[]", name, maxsplit=1)[0] in RESERVED:
         raise SceneError(f'"{name}" has a meaning of its own; choose another name', path=f"{path}.{name}")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from ..model import words
@@ -12,9 +12,13 @@ from ..model import words
 _NAME = re.compile(r"[^\W\d]\w*")
 
 
-def advice(raw: Mapping[str, Any]) -> tuple[str, ...]:
-    """That of a scene whose words are known."""
-    return (*_unused(raw), *_bare_angles(raw, ""), *_nothing_asked(raw))
+def advice(raw: Mapping[str, Any], elsewhere: Collection[str] = ()) -> tuple[str, ...]:
+    """That of a scene whose words are known; `elsewhere`: parameters that are read otherwise."""
+    return (
+        *(one for one in _unused(raw) if one.partition(":")[0].removeprefix("parameters.") not in elsewhere),
+        *_bare_angles(raw, ""),
+        *_nothing_asked(raw),
+    )
 
 
 def _unused(raw: Mapping[str, Any]) -> Iterator[str]:

@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import BeforeValidator, SerializeAsAny
 
+from ..base.lines import Written
 from ..kinds.base import Coupling, Force, Joint
 from ..language.lookup import Book
+from ..language.names import Names
 from ..model.element import Number, Table, Text
-from ..model.readers import Value, Vector, read_ask, read_event, read_start, read_sweep, read_until
-from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Solve, Spin, Sweep
+from ..model.readers import (
+    Value,
+    Vector,
+    read_ask,
+    read_event,
+    read_start,
+    read_sweep,
+    read_templates,
+    read_until,
+)
+from ..model.tables import Ask, Body, Contact, Event, Find, Ground, Part, Solve, Spin, Sweep
 from ..model.tabulated import Tabulated, book_of
 
 
@@ -20,20 +32,25 @@ from ..model.tabulated import Tabulated, book_of
 class Source:
     """The TOML that a scene was read from, None if there is none: it makes no difference between scenes."""
 
-    text: str | None = field(default=None, compare=False)
+    text: Written | None = field(default=None, compare=False)
 
 
 class SceneData(Table):
     """A scene whose words and types are right.  `file` and `source` are where it came from, for messages.
 
-    `hints`: old words in it; `advice`: what is right and may not be meant; one sentence each.
+    `hints`: old words in it; `advice`: what is right and may not be meant; one sentence each.  `joined`:
+    names that are no plain words; `counted`: parameters on which it depends what there is; `whole`: its
+    table with all that other files say of its parts, None where there are none.
     """
 
-    unwritten = ("file", "source", "hints", "advice", "nudge", "run_finds")
+    unwritten = ("file", "source", "hints", "advice", "nudge", "run_finds", "joined", "counted", "whole")
     file: str | None = None
     source: Source = Source()
     advice: tuple[str, ...] = ()
     hints: tuple[str, ...] = ()
+    joined: frozenset[str] = frozenset()
+    counted: frozenset[str] = frozenset()
+    whole: Any = None
     id: Text = ""
     title: Text = ""
     description: Text = ""
@@ -48,6 +65,8 @@ class SceneData(Table):
     couplings: dict[str, SerializeAsAny[Coupling]] = {}
     contacts: dict[str, Contact] = {}
     forces: dict[str, SerializeAsAny[Force]] = {}
+    parts: dict[str, Part] = {}
+    templates: Annotated[dict[str, Any], BeforeValidator(read_templates)] = {}
     start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
     nudge: Text | None = None
     events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}
@@ -59,9 +78,14 @@ class SceneData(Table):
     solve: Solve = Solve()
 
     @cached_property
+    def names(self) -> Names:
+        """The names that are no plain words: of parts, and with an index."""
+        return Names(self.joined)
+
+    @cached_property
     def book(self) -> Book:
-        """The tables of values, as expressions read them."""
-        return book_of(self.tables)
+        """The tables of values, as expressions read them, and the names that are no plain words."""
+        return book_of(self.tables, self.names)
 
     def find_of(self, run: str | None) -> tuple[Find, str] | None:
         """What a run looks for - its own find, or that of the scene - and its key path."""
@@ -95,3 +119,5 @@ class WrittenScene(HasData, Protocol):
     def run_names(self) -> tuple[str, ...]: ...
 
     def to_toml(self) -> str: ...
+
+    def with_values(self, values: Mapping[str, Any]) -> WrittenScene: ...

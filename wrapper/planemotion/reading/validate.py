@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from .._layout import PM_FIND_MOST_PAIR_SAMPLES, PM_FIND_MOST_SAMPLES
 from ..base.bounded import check_table
 from ..base.errors import Faults, SceneError
+from ..base.lines import Written
 from ..kinds import KINDS
 from ..model import words
 from ..model.element import Kind, Table
@@ -34,6 +35,7 @@ from .check import check, kind_of
 from .measured import add_points
 from .renamed import renewed
 from .scene import SceneData, Source
+from .whole import whole_scene
 
 
 def validate(
@@ -44,9 +46,12 @@ def validate(
     `file` is named in messages, with lines of the `text` that it holds; `name` is the id where the table has
     none.  Raises SceneError for the first fault found, with those that are independent of it.
     """
+    written = Written(text)
     try:
         check_table(raw)
-        raw, hints = renewed(raw)
+        whole = whole_scene(raw, file, text)
+        written = whole.written
+        raw, hints = renewed(whole.table)
         check(raw)
         if "until" not in raw:
             raise SceneError('what ends the run is wanted, such as until = "t = 2 s"', path="until")
@@ -56,13 +61,21 @@ def validate(
             **({} if "g" in words.table(raw, "parameters") else {"g": DEFAULT_G}),
             **raw.get("parameters", {}),
         }
-        told = {"file": file, "source": Source(text), "hints": hints, "advice": advice(raw)}
+        told = {
+            "file": file,
+            "source": Source(written),
+            "hints": hints,
+            "advice": advice(raw, whole.joined | whole.counted),
+            "joined": whole.joined,
+            "counted": whole.counted,
+            "whole": whole.table if whole.from_files else None,
+        }
         content = {**raw, "id": raw.get("id", name), "parameters": parameters, **told}
         measured = {"tables": add_points(raw, file)} if "tables" in raw else {}
         data = _construct({**content, **_taken_apart(raw), **_elements(raw), **measured})
         _check_more(data)
     except SceneError as error:
-        raise error.at(file=file, text=text) from None
+        raise error.at(file=file, text=written) from None
     return data
 
 
@@ -191,6 +204,7 @@ def _check_more(data: SceneData) -> None:
             raise SceneError("firings are counted from 1", path=f"events.{name}.nth", value=event.nth)
     for name, ask in data.ask.items():
         _check_ask(data, ask, f"ask.{name}")
+    _check_counted(data)
     for run in data.runs or (None,):
         found = data.find_of(run)
         if found is not None:
@@ -210,6 +224,20 @@ def _check_more(data: SceneData) -> None:
     for index, name in enumerate((data.sweep.refine and data.sweep.refine.of) or ()):
         if name not in data.ask:
             raise SceneError(words.unknown(name, data.ask, "ask"), path=f"sweep.refine.of[{index}]")
+
+
+def _check_counted(data: SceneData) -> None:
+    """One scene serves all its runs and all that a find tries: they cannot change what there is."""
+    finds = [found for run in data.runs or (None,) if (found := data.find_of(run)) is not None]
+    places = [(f"runs.{run}", set(values)) for run, values in data.runs.items()]
+    for path, given in [*places, *((f"{path}.vary", set(find.vary)) for find, path in finds)]:
+        for name in sorted(data.counted.intersection(given)):
+            reason = f"{name} says what there is in the scene; a sweep or --set can change it"
+            raise SceneError(reason, path=f"{path}.{name}")
+    for name in sorted(data.counted.intersection(data.sweep.grids)):
+        if data.sweep.grids[name].is_drawn:
+            reason = f"{name} says what there is in the scene; it takes a grid, no distribution"
+            raise SceneError(reason, path=f"sweep.{name}")
 
 
 def _check_design(sweep: Sweep) -> None:

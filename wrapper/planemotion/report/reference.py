@@ -24,6 +24,7 @@ _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
         *(tables.Body, tables.Ground, tables.Line, tables.Circle, tables.Row, tables.Curve),
         *(tables.Driven, tables.Spin, Tabulated),
     ),
+    "Parts": (tables.Part,),
     "Events and questions": (tables.Event, tables.Action, tables.Ask, tables.At),
     "Studies and settings": (
         *(tables.Find, tables.Sweep, tables.Swept, tables.Design, tables.Refine, tables.Grid),
@@ -51,6 +52,7 @@ _WORDS = {
     "keywords": "Words behind an address, and between conditions",
     "changes": "Changes of contacts, cords and joints with friction, as conditions",
     "functions": "Functions of expressions",
+    "many": "Many equal parts",
     "laws": "Laws of impact",
     "routes": "Routes",
 }

@@ -19,7 +19,7 @@ from ..model import readers
 from ..model.element import Kind, Table
 from ..model.tables import Design, Find, Refine, Sweep, Swept
 from ..reading.scene import SceneData
-from .meaning import meaning_of
+from .meaning import meaning_of, meanings
 
 Schema: TypeAlias = dict[str, Any]
 
@@ -90,6 +90,7 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_bounds: _PAIR,
     readers.read_point_or_two: _ONE_OR_TWO,
     readers.read_body_or_two: _ONE_OR_TWO,
+    readers.read_templates: {"type": "object", "additionalProperties": {"type": "object"}},
     readers.read_start: {  # by address, which dotted keys make tables in tables
         "type": "object",
         "properties": {
@@ -135,14 +136,21 @@ def schema() -> Schema:
                     },
                 ],
             },
+            "repeated": {
+                "description": "What is said once for every value of an index, such as i in 1..n.",
+                "type": "object",
+                "properties": {"for": {**_TEXTS, "description": meanings()["words"]["many"]["for"].says}},
+                "required": ["for"],
+                "additionalProperties": True,
+            },
             **made.tables,
         },
     }
 
 
 def _named(one: Schema) -> Schema:
-    """A table of things by name."""
-    return {"type": "object", "additionalProperties": one}
+    """A table of things by name, each of which may be written once for many."""
+    return {"type": "object", "additionalProperties": {"anyOf": [one, {"$ref": "#/$defs/repeated"}]}}
 
 
 def _said(model: type[Table], key: str, one: Schema) -> Schema:

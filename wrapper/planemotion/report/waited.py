@@ -14,6 +14,7 @@ from ..base.errors import PlanemotionError, SceneError
 from ..compile.flatten import flatten
 from ..engine import call
 from ..engine.outcome import History
+from ..language.address import DOTTED
 from ..language.units import factor, parse_quantity
 from ..reading.scene import SceneData
 
@@ -28,8 +29,8 @@ _LOOKS = 1000
 _AT = 1e-9
 _COMPARISON = re.compile(r"([^=<>]+)([=<>])([^=<>]+)")
 _EVERY = re.compile(r"(.+?)\s+every\s+.+")
-_STRIKES = re.compile(r"(\w+)(?:\[\d+\])?\s+strikes")
-_FIRING = re.compile(r"(\w+)(?:\s+\d+)?")
+_STRIKES = re.compile(r"(\S+)\s+strikes")
+_FIRING = re.compile(rf"({DOTTED})(?:\s+\d+)?")
 _TIME = ("t", "time")
 _SIDES = {"<": "below", ">": "above"}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,12 +15,14 @@ from ..base.errors import SceneError
 from ..base.versions import row_versions, versions
 from ..compile.asks import Asked
 from ..compile.flatten import FlatScene, flatten
+from ..language.units import to_unit
 from .block import Block
 from .cache import Kept
 from .layout import RESERVED_NAMES, Coordinate, Layout, names_of
 from .manifest import CHECKSUMS
 from .plan import SweepPlan
 from .solver import Solver
+from .variants import Variants, asks_of_all, variants_of
 
 if TYPE_CHECKING:
     from ..reading.scene import SceneData, WrittenScene
@@ -34,7 +36,7 @@ _FORMAT = 4
 
 
 class Study:
-    """A scene made ready for its cases: one flat scene for each of its [runs].
+    """A scene made ready for its cases: one flat scene for each of its [runs], and of its variants.
 
     `kept`: what earlier sweeps of the same scene found out.
     """
@@ -47,22 +49,47 @@ class Study:
         self.workers = workers
         self.runs = tuple(self.data.runs)
         self.kept = kept
+        try:
+            columns, variants = variants_of(plan, self.data.counted)
+        except SceneError as error:
+            raise error.at(file=self.data.file) from None
+        named = [plan.names[i] for i in columns]
+        # Tables of each run of each variant; SI, so that each is told by its bits.
+        scenes = [self._variant(dict(zip(named, values, strict=True))) for values in variants]
         self.flats = kept.flats(
             scene.table,
             scene.file,
-            (frozenset(plan.names), False),
-            lambda: [flatten(scene, run, history=False) for run in self.runs or (None,)],
+            (frozenset({*plan.names, *map(repr, variants)}), False),
+            lambda: [flatten(one, run, history=False) for one in scenes for run in self.runs or (None,)],
         )
-        self.solver = Solver(
-            names=plan.names,
-            flats=tuple(self.flats),
-            runs=self.runs,
-            own=tuple(frozenset(self.data.runs[run]) for run in self.runs) or (frozenset(),),
-            asks=_asks_of(self.data, self.flats),
-            estimate=self.data.solve.estimate,
-        )
-        self.asks = self.solver.asks
+        size = len(self.runs) or 1
+        solvers = [
+            self._solver(one.data, self.flats[i * size : (i + 1) * size]) for i, one in enumerate(scenes)
+        ]
+        self.asks = asks_of_all(solvers)
+        self.solver: Solver | Variants = solvers[0]
+        if columns:
+            self.solver = Variants(columns, dict(zip(variants, solvers, strict=True)), self.asks)
         self.layout = self._layout()
+
+    def _variant(self, values: Mapping[str, float]) -> WrittenScene:
+        """The scene at one value of each parameter on which it depends what there is."""
+        if not values:
+            return self._scene
+        units = {axis.name: axis.unit for axis in self.plan.axes}
+        return self._scene.with_values(
+            {name: f"{to_unit(value, units[name])!r} {units[name]}".strip() for name, value in values.items()}
+        )
+
+    def _solver(self, data: SceneData, flats: Sequence[FlatScene]) -> Solver:
+        return Solver(
+            names=self.plan.names,
+            flats=tuple(flats),
+            runs=self.runs,
+            own=tuple(frozenset(data.runs[run]) for run in self.runs) or (frozenset(),),
+            asks=_asks_of(data, flats),
+            estimate=data.solve.estimate,
+        )
 
     def _layout(self) -> Layout:
         coordinates = tuple(
@@ -70,11 +97,10 @@ class Study:
             for (dim, _), group in zip(self.plan.dims, self.plan.groups, strict=True)
             for axis in group
         )
-        asks = tuple(ask for _, _, ask in self.asks)
         taken = set(RESERVED_NAMES)
         for name, path in [
             *((name, f"sweep.{name}") for name in self.plan.names),
-            *((name, f"ask.{ask.key}") for ask in asks for name in names_of(ask)),
+            *((name, f"ask.{ask.key}") for ask in self.asks for name in names_of(ask)),
         ]:
             if name in taken or "/" in name:
                 raise SceneError(
@@ -84,12 +110,12 @@ class Study:
                     path=path,
                 )
             taken.add(name)
-        return Layout(self.plan.dims, coordinates, asks, self.runs, self.data.solve.estimate)
+        return Layout(self.plan.dims, coordinates, self.asks, self.runs, self.data.solve.estimate)
 
     @property
     def max_chunk(self) -> int:
         """Cases that are computed at once at most."""
-        case_bytes = 8 * sum(ask.columns for _, _, ask in self.asks) * (1 + self.data.solve.estimate)
+        case_bytes = 8 * sum(ask.columns for ask in self.asks) * (1 + self.data.solve.estimate)
         return max(1, min(_MAX_CASES, _MAX_BYTES // max(case_bytes, 1)))
 
     def compute(
@@ -117,11 +143,18 @@ class Study:
             CHECKSUMS: {
                 **{f"values of {axis.name}": _hash(axis.si) for axis in self.plan.axes},
                 **{
-                    f"tables {run}".strip(): _hash(flat.table, flat.constant, flat.defaults)
-                    for run, flat in zip(self.runs or ("",), self.flats, strict=True)
+                    f"tables {run}{number}".strip(): _hash(flat.table, flat.constant, flat.defaults)
+                    for run, number, flat in self._numbered()
                 },
             },
         }
+
+    def _numbered(self) -> Iterator[tuple[str, str, FlatScene]]:
+        """All tables, each with its run and, where there are several, the number of its variant."""
+        size = len(self.runs) or 1
+        for i, flat in enumerate(self.flats):
+            number = f" {i // size + 1}" if len(self.flats) > size else ""
+            yield (self.runs or ("",))[i % size], number, flat
 
     def attributes(self) -> dict[str, Any]:
         """Attributes of the result that say where it comes from."""

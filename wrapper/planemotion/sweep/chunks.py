@@ -33,7 +33,7 @@ class _ChunkCall:
 
     def __init__(self, study: Study, first: int, count: int) -> None:
         self._stop = np.zeros(1, np.int32)
-        self._done = np.zeros(len(study.flats), np.int64)
+        self._done = np.zeros(len(study.runs) or 1, np.int64)
         self._block: Block | None = None
         self._error: BaseException | None = None
 

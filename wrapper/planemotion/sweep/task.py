@@ -13,6 +13,7 @@ from ..base.errors import StudyError
 from ..base.versions import row_versions
 from .block import Block
 from .solver import Solver
+from .variants import Variants
 
 # Scenes that a worker keeps ready: a worker may serve several sweeps at once.
 _KEPT = 4
@@ -26,7 +27,7 @@ class Recipe:
     solver: bytes
 
     @staticmethod
-    def of(solver: Solver) -> Recipe:
+    def of(solver: Solver | Variants) -> Recipe:
         """What is sent to the workers."""
         return Recipe(tuple(row_versions().items()), pickle.dumps(solver))
 
@@ -43,7 +44,7 @@ def compute_block(recipe: Recipe, swept: Floats, threads: int, attempt: int) -> 
 
 
 @lru_cache(_KEPT)
-def _solver(recipe: Recipe) -> Solver:
+def _solver(recipe: Recipe) -> Solver | Variants:
     here = row_versions()
     differ = [f"{name} {here.get(name, 'missing')} and not {text}" for name, text in recipe.versions
               if here.get(name) != text]  # fmt: skip
@@ -52,5 +53,5 @@ def _solver(recipe: Recipe) -> Solver:
             f"a worker has {', '.join(differ)}, so its bits may be others; "
             "install the same build of planemotion everywhere"
         )
-    solver: Solver = pickle.loads(recipe.solver)
+    solver: Solver | Variants = pickle.loads(recipe.solver)
     return solver

@@ -1,0 +1,125 @@
+"""Sweeps over what changes the scene itself, such as the number of its links: tables of their own for each.
+
+A sweep over such a parameter has one solver for each of its values; a block of cases is shared out among
+them.  Asks that a variant does not have are not reached in its cases.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from .._layout import PM_REASON_NOT_REACHED
+from ..base.arrays import Floats
+from ..base.errors import SceneError
+from ..compile.asks import Asked
+from .block import Block
+from .plan import SweepPlan
+from .solver import Solver
+
+# Each has tables of its own.
+MOST_VARIANTS = 1000
+
+
+def variants_of(plan: SweepPlan, counted: frozenset[str]) -> tuple[tuple[int, ...], list[tuple[float, ...]]]:
+    """The numbers of the swept parameters on which it depends what there is, and all values of these, SI."""
+    columns = tuple(i for i, name in enumerate(plan.names) if name in counted)
+    if not columns:
+        return (), [()]
+    named = [plan.names[i] for i in columns]
+    groups = [[axis for axis in group if axis.name in named] for group in plan.groups]
+    groups = [group for group in groups if group]
+    count = math.prod(len(group[0].values) for group in groups)
+    if count > MOST_VARIANTS:
+        reason = f"{count} scenes that differ in what there is; at most {MOST_VARIANTS} are possible"
+        raise SceneError(reason, path=f"sweep.{named[0]}")
+    places = np.unravel_index(np.arange(count), [len(group[0].values) for group in groups])
+    rows = {axis.name: axis.si[i] for group, i in zip(groups, places, strict=True) for axis in group}
+    return columns, list(dict.fromkeys(zip(*(rows[name].tolist() for name in named), strict=True)))
+
+
+@dataclass(frozen=True)
+class Variants:
+    """What computes cases of scenes that differ: `solvers` by the values in the `columns` of what is swept.
+
+    `asks`: those of all, in order.
+    """
+
+    columns: tuple[int, ...]
+    solvers: Mapping[tuple[float, ...], Solver]
+    asks: tuple[Asked, ...]
+
+    def compute(
+        self,
+        swept: Floats,
+        *,
+        workers: int,
+        stop: npt.NDArray[np.int32] | None = None,
+        done: npt.NDArray[np.int64] | None = None,
+    ) -> Block:
+        """As Solver.compute."""
+        begun = time.perf_counter()
+        rows: dict[tuple[float, ...], list[int]] = {}
+        for row, values in enumerate(zip(*(swept[:, i].tolist() for i in self.columns), strict=True)):
+            rows.setdefault(values, []).append(row)
+        blocks, order = [], []
+        for values, own in rows.items():
+            solver = self.solvers[values]
+            blocks.append(_spread(solver.compute(swept[own], workers=workers, stop=stop), solver, self.asks))
+            order += own
+            if done is not None:
+                done += len(own)
+        return replace(
+            _sorted(Block.join(blocks), np.argsort(np.array(order, np.int64))),
+            seconds=time.perf_counter() - begun,
+        )
+
+
+def asks_of_all(solvers: Sequence[Solver]) -> tuple[Asked, ...]:
+    """The asks of all, each as long as it is anywhere."""
+    asks: dict[str, Asked] = {}
+    for solver in solvers:
+        for _, _, ask in solver.asks:
+            known = asks.get(ask.key)
+            if known is None or ask.columns > known.columns:
+                asks[ask.key] = ask
+    return tuple(asks.values())
+
+
+def _spread(block: Block, solver: Solver, asks: Sequence[Asked]) -> Block:
+    """The block with columns for all asks."""
+    own: dict[str, tuple[int, int, int]] = {}
+    place = 0
+    for number, (_, _, ask) in enumerate(solver.asks):
+        own[ask.key] = number, place, ask.columns
+        place += ask.columns
+    width = sum(ask.columns for ask in asks)
+    value = np.full((len(block), width), np.nan)
+    error = np.full((len(block), width if solver.estimate else 0), np.nan, np.float32)
+    reason = np.full((len(block), len(asks)), PM_REASON_NOT_REACHED, np.int8)
+    first = 0
+    for column, ask in enumerate(asks):
+        if ask.key in own:
+            number, at, count = own[ask.key]
+            value[:, first : first + count] = block.value[:, at : at + count]
+            if solver.estimate:
+                error[:, first : first + count] = block.error[:, at : at + count]
+            reason[:, column] = block.reason[:, number]
+        first += ask.columns
+    return replace(block, value=value, error=error, reason=reason)
+
+
+def _sorted(block: Block, order: npt.NDArray[np.int64]) -> Block:
+    """Its cases in another order: row i is the one that stood at order[i]."""
+    names = ("value", "reason", "status", "run_status", "route", "audit", "error", "trust")
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    arrays = {name: getattr(block, name)[order] for name in names}
+    return replace(
+        block, **arrays, message={int(place[row]): text for row, text in sorted(block.message.items())}
+    )
