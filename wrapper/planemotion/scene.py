@@ -26,7 +26,7 @@ from .base.lines import Written
 from .geometry.parameters import override
 from .language.units import declared_unit
 from .model.tables import DEFAULT_G
-from .model.words import unknown
+from .model.words import ELEMENTS, OPTIONS, unknown
 from .reading.plain import literal, plain, plain_text
 from .reading.scene import SceneData
 from .reading.validate import validate
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 # Keys that are words of Python, as they are written there.
 _PYTHON = {"for_": "for", "with_": "with", "from_": "from"}
 # Tables that may be set beside parameters, as in "sweep.d.num".
-_SETTABLE = ("parameters", "find", "sweep", "solve")
+_SETTABLE = ("parameters", "find", "sweep", *OPTIONS)
 
 
 def _spelled(one: Any) -> Any:
@@ -610,17 +610,31 @@ class Scene:
             self._update("parameters", {key: changed})
             return
         if first not in _SETTABLE:
-            reason = f"only parameters, find, sweep and solve can be set, not {first}"
+            reason = f"only {', '.join(_SETTABLE[:-1])} and {_SETTABLE[-1]} can be set, not {first}"
             raise SceneError(reason, file=self.file, path=name)
-        keys = name.split(".")
-        table = self._raw
-        for key in keys[:-1]:
-            below = table.setdefault(key, {})
+        table, key = self._raw, name
+        if first in ELEMENTS:
+            table, key = self._element(first, rest, name)
+        while "." in key:
+            word, _, key = key.partition(".")
+            below = table.setdefault(word, {})
             if not isinstance(below, dict):
-                raise SceneError(f"{key} is no table", file=self.file, path=name)
+                raise SceneError(f"{word} is no table", file=self.file, path=name)
             table = below
-        table[keys[-1]] = literal(value)
+        table[key] = literal(value)
         self._changed()
+
+    def _element(self, group: str, rest: str, path: str) -> tuple[dict[str, Any], str]:
+        """The element whose option `rest` is ("floor.law"), and what is left of it ("law")."""
+        elements = self._raw.get(group, {})
+        named = [name for name in elements if rest.startswith(f"{name}.")]
+        if not named:
+            reason = unknown(rest.rpartition(".")[0], elements, f"entry of {group}")
+            raise SceneError(reason, file=self.file, path=path)
+        name = max(named, key=len)
+        if not isinstance(elements[name], dict):
+            raise SceneError(f"{name} is no table", file=self.file, path=path)
+        return elements[name], rest[len(name) + 1 :]
 
     def _declared(self, name: str) -> dict[str, Any]:
         """The parameters, also those that parts bring where the name may be one of these."""

@@ -16,6 +16,10 @@ SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
 EDGE_ON_SHAPES = ("disk", "hoop")
 ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
 
+# Groups whose keys a sweep may vary by their path, such as contacts.floor.law.
+ELEMENTS = ("bodies", "joints", "couplings", "contacts", "forces", "events")
+OPTIONS = ("solve", *ELEMENTS)
+
 SINGULAR = {"joints": "joint", "couplings": "coupling", "contacts": "contact", "forces": "force"}
 
 IMPACTS = ("simultaneous", "sequential")
@@ -71,6 +75,11 @@ def check_name(name: str, path: str) -> None:
         raise SceneError("a name is letters, digits and _, and begins with a letter", path=f"{path}.{name}")
     if re.split(r"[.\[]", name, maxsplit=1)[0] in RESERVED:
         raise SceneError(f'"{name}" has a meaning of its own; choose another name', path=f"{path}.{name}")
+
+
+def is_option(path: str) -> bool:
+    """Whether it leads to a key of an element, or to a setting."""
+    return "." in path and path.partition(".")[0] in OPTIONS
 
 
 def not_built(what: str, path: str | None = None, value: object = None) -> SceneError:

@@ -47,13 +47,15 @@ def open_sweep(path: Path) -> xr.Dataset:
 
 @dataclass(frozen=True)
 class SweptAxis:
-    """A swept parameter as an axis of the picture; `drawn`: by a design, so that its cases are dots."""
+    """A swept parameter as an axis of the picture; `drawn`: by a design, so that its cases are dots;
+    `words`: of an option, whose values are 0, 1, .."""
 
     name: str
     label: str
     values: Floats
     log: bool
     drawn: bool = False
+    words: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -188,10 +190,25 @@ def _drawn(dataset: xr.Dataset, axis: SweptAxis) -> list[SweptAxis]:
 def _axis(dataset: xr.Dataset, dim: str) -> SweptAxis:
     along = _along(dataset, dim)
     shown = dim if dim in along else along[0]  # the first of those that a design draws
-    values = np.asarray(dataset[shown].values, np.float64)
+    words = words_of(dataset[shown])
+    values = np.arange(float(len(words))) if words else np.asarray(dataset[shown].values, np.float64)
     others = [name for name in along if name != shown]
     label = _with_unit(shown, dataset[shown]) + (f", moving {', '.join(others)} too" if others else "")
-    return SweptAxis(dim, label, values, _is_logarithmic(values), drawn=shown != dim)
+    is_log = not words and _is_logarithmic(values)
+    return SweptAxis(dim, label, values, is_log, drawn=shown != dim, words=words)
+
+
+def words_of(coordinate: xr.DataArray) -> tuple[str, ...]:
+    """The words of a swept option; none of a number."""
+    return tuple(map(str, coordinate.values)) if coordinate.dtype.kind in "OUST" else ()
+
+
+def text_of(coordinate: xr.DataArray, i: int) -> str:
+    """One value of what is swept: "0.05 m", "newton"."""
+    words, unit = words_of(coordinate), str(coordinate.attrs.get("units", "1"))
+    if words:
+        return words[i]
+    return f"{float(coordinate.values[i]):g}" + (f" {unit}" if unit != "1" else "")
 
 
 def _is_logarithmic(values: Floats) -> bool:
@@ -232,14 +249,11 @@ def _curve_names(variable: xr.DataArray, family: SweptAxis | None, lists: Sequen
     names = [""]
     for dim in [*([family.name] if family else []), *lists]:
         coordinate = variable[dim]
-        unit = str(coordinate.attrs.get("units", "1"))
         name = dim.removesuffix("_at") if dim in lists else dim
         if dim.endswith("_number"):
             texts = [f"{value:g}" for value in coordinate.values]
         else:
-            texts = [
-                f"{name} = {value:g}" + (f" {unit}" if unit != "1" else "") for value in coordinate.values
-            ]
+            texts = [f"{name} = {text_of(coordinate, i)}" for i in range(coordinate.size)]
         names = [", ".join(filter(None, [begun, text])) for begun in names for text in texts]
     return tuple(names) if len(names) > 1 else ()
 
@@ -259,7 +273,6 @@ def _counts(dataset: xr.Dataset, held: Sequence[str]) -> str:
         texts.append(f"not ok (red): {', '.join(bad)}")
     for dim in held:
         coordinate = dataset[dim]
-        unit = str(coordinate.attrs.get("units", "1"))
         size = f" (the first of {coordinate.size})" if coordinate.size > 1 else ""
-        texts.append(f"at {dim} = {float(coordinate.values[0]):g}{'' if unit == '1' else ' ' + unit}{size}")
+        texts.append(f"at {dim} = {text_of(coordinate, 0)}{size}")
     return "; ".join(texts)

@@ -94,6 +94,8 @@ def spans_decades(values: Floats) -> bool:
 
 def limits(axis: SweptAxis) -> tuple[float, float]:
     low, high = float(axis.values.min()), float(axis.values.max())
+    if axis.words:
+        return low - 0.5, high + 0.5
     if axis.log:
         return low / 1.05, high * 1.05
     room = 0.015 * (high - low) or abs(low) * 0.1 or 1.0

@@ -79,7 +79,8 @@ def _curves(axis: SweptAxis, panels: Sequence[Panel], bad: npt.NDArray[np.bool_]
         colours = colours_of(len(panel.names) or 1)
         for i, values in enumerate(panel.values.T):
             name = panel.names[i] if panel.names else None
-            _curve(place, axis.values, values, colours[i], name)
+            draw = _dots if axis.words else _curve
+            draw(place, axis.values, values, colours[i], name)
         if is_whole(panel.values) and np.nanmax(panel.values) - np.nanmin(panel.values) <= _STEPS_OF_COLOUR:
             whole_ticks(place)
         title(place, panel, figure.get_figwidth() / columns)
@@ -93,10 +94,17 @@ def _curves(axis: SweptAxis, panels: Sequence[Panel], bad: npt.NDArray[np.bool_]
         place.tick_params(labelbottom=not below)
         if not below:
             place.set_xlabel(axis.label)
+        if axis.words:
+            place.set_xticks(axis.values, axis.words)
         place.set_xlim(limits(axis))
     if any(panel.names for panel in panels):
         _legend(figure, places, panels)
     return figure
+
+
+def _dots(place: Axes, x: Floats, y: Floats, colour: Any, name: str | None) -> None:
+    """Values y [n] over options x [n]: between them there is nothing to follow."""
+    place.plot(x, y, ".", color=colour, label=name, markersize=6)
 
 
 def _curve(place: Axes, x: Floats, y: Floats, colour: Any, name: str | None) -> None:
@@ -144,6 +152,8 @@ def _maps(shown: Panels) -> Figure:
         for which, axis in zip("xy", shown.axes, strict=True):
             if axis.log:
                 logarithmic(place, which)
+            if axis.words:
+                place.set(**{f"{which}ticks": axis.values, f"{which}ticklabels": axis.words})
         place.set_xlabel(shown.axes[0].label)
         place.set_ylabel(shown.axes[1].label)
     return figure

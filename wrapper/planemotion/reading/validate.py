@@ -211,8 +211,12 @@ def _check_more(data: SceneData) -> None:
             _check_find(data, *found, run)
     zipped = [name for group in data.sweep.zip for name in group]
     for name in (*data.sweep.grids, *zipped):
-        if name not in data.parameters:
-            raise SceneError(words.unknown(name, tuple(data.parameters), "parameter"), path=f"sweep.{name}")
+        if name not in data.parameters and not words.is_option(name):
+            reason = words.unknown(name, tuple(data.parameters), "parameter")
+            raise SceneError(reason + '; or an option such as "contacts.floor.law"', path=f"sweep.{name}")
+        if name in data.sweep.grids and name not in data.parameters and data.sweep.grids[name].values is None:
+            reason = 'a list of what the option may be is wanted, such as ["newton", "poisson"]'
+            raise SceneError(reason, path=f"sweep.{name}")
     for name in zipped:
         if name not in data.sweep.grids:
             raise SceneError("zipped, but it has no grid", path=f"sweep.{name}")

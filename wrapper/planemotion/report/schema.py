@@ -30,6 +30,13 @@ _NAMES: Schema = {"type": "array", "items": _TEXT}
 _TEXTS: Schema = {"anyOf": [_TEXT, {**_NAMES, "minItems": 1}]}
 _ONE_OR_TWO: Schema = {"anyOf": [_TEXT, {**_NAMES, "minItems": 2, "maxItems": 2}]}
 _PAIR: Schema = {"type": "array", "items": _VALUE, "minItems": 2, "maxItems": 2}
+# What is said once for every value of an index.
+_REPEATED: Schema = {
+    "type": "object",
+    "properties": {"for": {**_TEXTS, "description": meanings()["words"]["many"]["for"].says}},
+    "required": ["for"],
+    "additionalProperties": True,
+}
 # What readers take that is no table of their model: reader -> schemas.
 _BARE: Mapping[Callable[..., Any], list[Schema]] = {
     readers.read_circle: [_VALUE],
@@ -136,13 +143,6 @@ def schema() -> Schema:
                     },
                 ],
             },
-            "repeated": {
-                "description": "What is said once for every value of an index, such as i in 1..n.",
-                "type": "object",
-                "properties": {"for": {**_TEXTS, "description": meanings()["words"]["many"]["for"].says}},
-                "required": ["for"],
-                "additionalProperties": True,
-            },
             **made.tables,
         },
     }
@@ -150,7 +150,8 @@ def schema() -> Schema:
 
 def _named(one: Schema) -> Schema:
     """A table of things by name, each of which may be written once for many."""
-    return {"type": "object", "additionalProperties": {"anyOf": [one, {"$ref": "#/$defs/repeated"}]}}
+    choices = one["anyOf"] if set(one) == {"anyOf"} else [one]
+    return {"type": "object", "additionalProperties": {"anyOf": [*choices, _REPEATED]}}
 
 
 def _said(model: type[Table], key: str, one: Schema) -> Schema:

@@ -15,7 +15,6 @@ from ..base.errors import SceneError
 from ..base.versions import row_versions, versions
 from ..compile.asks import Asked
 from ..compile.flatten import FlatScene, flatten
-from ..language.units import to_unit
 from .block import Block
 from .cache import Kept
 from .layout import RESERVED_NAMES, Coordinate, Layout, names_of
@@ -76,10 +75,15 @@ class Study:
         """The scene at one value of each parameter on which it depends what there is."""
         if not values:
             return self._scene
-        units = {axis.name: axis.unit for axis in self.plan.axes}
-        return self._scene.with_values(
-            {name: f"{to_unit(value, units[name])!r} {units[name]}".strip() for name, value in values.items()}
-        )
+        axes = {axis.name: axis for axis in self.plan.axes}
+        places = {name: axes[name].si.tolist().index(value) for name, value in values.items()}
+        try:
+            made = self._scene.with_values({name: axes[name].text(i) for name, i in places.items()})
+            made.data  # noqa: B018 - a fault of one variant is told with it
+        except SceneError as error:
+            told = ", ".join(f"{name} = {axes[name].text(i)}" for name, i in places.items())
+            raise SceneError(f"with {told}: {error}") from None
+        return made
 
     def _solver(self, data: SceneData, flats: Sequence[FlatScene]) -> Solver:
         return Solver(
@@ -93,7 +97,7 @@ class Study:
 
     def _layout(self) -> Layout:
         coordinates = tuple(
-            Coordinate(axis.name, dim, axis.unit, axis.values)
+            Coordinate(axis.name, dim, axis.unit, axis.values, axis.labels)
             for (dim, _), group in zip(self.plan.dims, self.plan.groups, strict=True)
             for axis in group
         )
@@ -134,6 +138,7 @@ class Study:
                 axis.name: {
                     "unit": axis.unit,
                     "num": len(axis.values),
+                    **({"options": list(axis.labels)} if axis.options else {}),
                     "from": float(axis.values[0]),
                     "to": float(axis.values[-1]),
                 }

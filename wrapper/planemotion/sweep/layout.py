@@ -65,12 +65,13 @@ def error_name(key: str) -> str:
 
 @dataclass(frozen=True)
 class Coordinate:
-    """The values of one swept parameter, in `unit`, along the dimension `dim`."""
+    """The values of one swept parameter, in `unit`, along the dimension `dim`; of an option its words."""
 
     name: str
     dim: str
     unit: str
     values: Floats
+    words: tuple[str, ...] = ()
 
 
 def list_dims(ask: Asked) -> tuple[str, ...]:
@@ -137,6 +138,10 @@ class Layout:
     def _known(self) -> Iterator[Variable]:
         """The coordinates."""
         for item in self.coordinates:
+            if item.words:
+                texts = np.array(item.words, dtype=object)
+                yield Variable(item.name, (item.dim,), None, {"long_name": f"option {item.name}"}, texts)
+                continue
             attributes = {"units": item.unit or "1", "long_name": f"parameter {item.name}"}
             yield Variable(item.name, (item.dim,), np.float64, attributes, item.values)
         yield _texts("ask", [ask.key for ask in self.asks])

@@ -28,11 +28,21 @@ CASE = "case"
 
 @dataclass(frozen=True)
 class Axis:
-    """The values of one swept parameter, as written, in `unit`."""
+    """The values of one swept parameter, as written, in `unit`; of an option their numbers, and `options`."""
 
     name: str
     unit: str
     values: Floats
+    options: tuple[Value, ...] = ()
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Its options as they are written; none where it has numbers."""
+        return tuple(str(one).lower() if isinstance(one, bool) else str(one) for one in self.options)
+
+    def text(self, i: int) -> str:
+        """A value as one would write it after --set: "1.01 in"."""
+        return self.labels[i] if self.options else f"{float(self.values[i])!r} {self.unit}".rstrip()
 
     @cached_property
     def si(self) -> Floats:
@@ -82,9 +92,7 @@ class SweepPlan:
         """The parameters of one case as one would write them after --set: "1.01 in"."""
         place = np.unravel_index(index, self.shape)
         return {
-            axis.name: f"{float(axis.values[i])!r} {axis.unit}".rstrip()
-            for group, i in zip(self.groups, place, strict=True)
-            for axis in group
+            axis.name: axis.text(i) for group, i in zip(self.groups, place, strict=True) for axis in group
         }
 
     def block(self, first: int, count: int) -> Floats:
@@ -106,14 +114,18 @@ def _plan(data: SceneData) -> SweepPlan:
     if not data.sweep.grids:
         raise SceneError("nothing to sweep; write for example sweep.d = { from, to, num }", path="sweep")
     dimensions = Parameters(data.parameters, tables=data.book).dimensions
-    units = {name: declared_unit(data.parameters[name]) for name in data.sweep.grids}
+    options = [name for name in data.sweep.grids if name not in data.parameters]
+    units = {name: declared_unit(data.parameters.get(name, 0)) for name in data.sweep.grids}
     drawn = {name: one for name, one in data.sweep.grids.items() if one.is_drawn}
     values = draw(data.sweep.design, drawn, units) if data.sweep.design else {}
     for name, grid in data.sweep.grids.items():
-        if name not in drawn:
+        if name not in drawn and name not in options:
             values[name] = read_grid(grid, path=f"sweep.{name}", unit=units[name])
     axes: dict[str, Axis] = {}
-    for name in data.sweep.grids:
+    for name, grid in data.sweep.grids.items():
+        if name in options:
+            axes[name] = _option(name, grid.values or ())
+            continue
         unit, numbers = values[name]
         wanted, given = dimensions[name], factor(unit)[1]
         if wanted not in (None, given):
@@ -124,6 +136,16 @@ def _plan(data: SceneData) -> SweepPlan:
     groups = tuple(_grouped(axes, [*data.sweep.zip, *([tuple(drawn)] if drawn else [])]))
     at = next((i for i, group in enumerate(groups) if group[0].name in drawn), None)
     return SweepPlan(groups, at)
+
+
+def _option(name: str, values: Sequence[Value]) -> Axis:
+    """An axis of options: each has its number."""
+    if not values:
+        raise SceneError("an empty sweep; at least 1 value is needed", path=f"sweep.{name}", value="[]")
+    for value in values:
+        if values.count(value) > 1:
+            raise SceneError("it is there twice", path=f"sweep.{name}", value=value)
+    return Axis(name, "", np.arange(float(len(values))), tuple(values))
 
 
 def _grouped(axes: Mapping[str, Axis], zips: Sequence[Sequence[str]]) -> Iterator[tuple[Axis, ...]]:

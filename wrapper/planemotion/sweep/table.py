@@ -111,7 +111,8 @@ class _Columns:
         for name in file.attrs["parameters"].split():
             variable = self._variables[name]
             self._parameters[name] = self._grid.index(variable.dimensions[0]), variable[...]
-            self.header.append(f"{name} [{variable.attrs['units']}]")
+            unit = variable.attrs.get("units")  # an option has none
+            self.header.append(name if unit is None else f"{name} [{unit}]")
         for key in self._asks:
             variable = self._variables[key]
             numbers = range(1, math.prod(variable.shape[len(self._grid) :]) + 1)
@@ -144,7 +145,7 @@ class _Columns:
     def _columns(self, first: int, count: int) -> Iterator[_Column]:
         place = np.unravel_index(np.arange(first, first + count, dtype=np.int64), self.shape)
         for axis, values in self._parameters.values():
-            written = list(map(repr, values.tolist()))
+            written = [_field(one) if isinstance(one, str) else repr(one) for one in values.tolist()]
             along = place[axis].tolist()
             yield _Column(values[along].tolist(), map(written.__getitem__, along))
         for key in self._asks:

@@ -28,7 +28,7 @@ MOST_VARIANTS = 1000
 
 def variants_of(plan: SweepPlan, counted: frozenset[str]) -> tuple[tuple[int, ...], list[tuple[float, ...]]]:
     """The numbers of the swept parameters on which it depends what there is, and all values of these, SI."""
-    columns = tuple(i for i, name in enumerate(plan.names) if name in counted)
+    columns = tuple(i for i, axis in enumerate(plan.axes) if axis.name in counted or axis.options)
     if not columns:
         return (), [()]
     named = [plan.names[i] for i in columns]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..engine.kernel import status_name, status_text
+from ..pictures.panels import words_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -50,6 +51,10 @@ def case_values(dataset: xr.Dataset, place: dict[Any, int]) -> dict[str, str]:
     values = {}
     for name in str(dataset.attrs["parameters"]).split():
         variable = dataset[name]
+        words = words_of(variable)
+        if words:
+            values[name] = words[place[variable.dims[0]]]
+            continue
         value = float(variable.values[place[variable.dims[0]]])
         unit = str(variable.attrs.get("units", "1"))
         values[name] = f"{value!r}" if unit == "1" else f"{value!r} {unit}"

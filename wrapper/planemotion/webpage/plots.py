@@ -100,7 +100,7 @@ def _colours() -> Iterator[str]:
 
 
 def _curve(axis: SweptAxis, values: Floats, name: str, colour: str) -> dict[str, Any]:
-    if axis.drawn:
+    if axis.drawn or axis.words:
         kept = evenly(len(axis.values), _MOST_DOTS)
         x, y, mode = axis.values[kept], values[kept], "markers"
     else:
@@ -171,7 +171,8 @@ def _plot(panel: Panel, data: Sequence[dict[str, Any]], layout: dict[str, Any]) 
 
 
 def _layout_of(axis: SweptAxis) -> dict[str, Any]:
-    return {"title": {"text": axis.label}, **({"type": "log"} if axis.log else {})}
+    ticks = {"tickvals": _numbers(axis.values), "ticktext": list(axis.words)} if axis.words else {}
+    return {"title": {"text": axis.label}, **({"type": "log"} if axis.log else {}), **ticks}
 
 
 def _whole(values: Floats) -> dict[str, Any]:
