@@ -114,8 +114,8 @@ static void add_triggers(pm_workspace *w)
         f->held = w->firing.fired[i];
         f->rested = f->held ? INFINITY : w->event->last[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
-        const int goes_on = w->result.count[PM_COUNT_PHASES] > 0 &&
-                            w->result.count[PM_COUNT_JUMPS] == w->event->came_jumps;
+        const int goes_on =
+            w->result.count[PM_COUNT_PHASES] > 0 && w->result.count[PM_COUNT_JUMPS] == w->event->came_jumps;
         f->left = goes_on && !f->held && !f->every ? w->event->came[i] : 0;
     }
 }

@@ -91,11 +91,11 @@ typedef struct pm_event_set {
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
     pm_bounce_series *series; /* [ncontact] */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
-    double *last;           /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
-    double *came;           /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */
-    int64_t came_jumps;     /* PM_COUNT_JUMPS then */
-    unsigned char *acted;   /* [nevent] its actions are carried out at this instant */
-    void *solver;           /* gsl_root_fsolver */
+    double *last;         /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
+    double *came;         /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */
+    int64_t came_jumps;   /* PM_COUNT_JUMPS then */
+    unsigned char *acted; /* [nevent] its actions are carried out at this instant */
+    void *solver;         /* gsl_root_fsolver */
     pm_gap_culling culling; /* contacts out of reach of the step */
     int first_step;         /* of the phase */
     int most;               /* size of the function array */

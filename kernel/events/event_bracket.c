@@ -175,7 +175,8 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
-        const int now = (isfinite(f->rested) && g * f->direction > 0) || (since_began && crosses(f, f->left, g));
+        const int now =
+            (isfinite(f->rested) && g * f->direction > 0) || (since_began && crosses(f, f->left, g));
         *x = now ? (pm_span){a, a, 0, 0} : (pm_span){place, b, g, gb};
         return now || crosses(f, g, gb);
     }

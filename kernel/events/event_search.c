@@ -122,8 +122,7 @@ void pm_event_search_keep_sides(pm_workspace *w, double first)
     pm_event_set *e = w->event;
     memset(e->came, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER] * sizeof(double));
     e->came_jumps = w->result.count[PM_COUNT_JUMPS];
-    for (int i = 0; i < e->ntrigger; i++)
-        e->came[e->function[i].index] = last_side(&w->step, e, i, first);
+    for (int i = 0; i < e->ntrigger; i++) e->came[e->function[i].index] = last_side(&w->step, e, i, first);
 }
 
 void pm_event_search_leave(const pm_step *step, pm_event_set *e)

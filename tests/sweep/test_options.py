@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 import planemotion as pm
 from planemotion.pictures.sweep import plot_sweep
@@ -101,7 +102,7 @@ def test_files_tables_and_pictures_have_the_words(tmp_path: Path) -> None:
             "e": "0.4",
         }
         figure = plot_sweep(made)
-        told = [text.get_text() for text in figure.findobj(lambda one: hasattr(one, "get_text"))]
+        told = [text.get_text() for text in figure.findobj(Text)]
         assert "contacts.floor.friction = rough" in told
         alone = plot_sweep(made.isel(e=[0]))
         ticks = [tick.get_text() for tick in alone.axes[-1].get_xticklabels()]

@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .base.html import html_table
+from .base.themes import require_theme
 from .maps import file
 from .maps.run import make_map
 from .pen import page
-from .pen.theme import on_paper, require_theme
+from .pen.theme import on_paper
 from .pictures.outcome_map import plot_outcome_map
 from .pictures.picture import Picture
 

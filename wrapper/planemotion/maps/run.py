@@ -109,8 +109,8 @@ def _sides(study: Study, tolerance: float) -> tuple[Side, Side]:
 
 def _questions(study: Study, asked: Refine) -> list[tuple[Asked, int]]:
     """The asks that tell outcomes apart, with their columns: those named, or all words of events."""
-    columns = np.cumsum([0, *(ask.count for _, _, ask in study.asks)]).tolist()
-    asks = {ask.key: (ask, first) for (_, _, ask), first in zip(study.asks, columns, strict=False)}
+    columns = np.cumsum([0, *(ask.count for ask in study.asks)]).tolist()
+    asks = {ask.key: (ask, first) for ask, first in zip(study.asks, columns, strict=False)}
     if asked.of is None:
         words = [one for one in asks.values() if one[0].letters]
         if words:

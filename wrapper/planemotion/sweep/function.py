@@ -40,8 +40,8 @@ class SceneFunction:
         self.inputs = tuple(inputs)
         self._single = isinstance(outputs, str)
         self.outputs = (outputs,) if isinstance(outputs, str) else tuple(outputs)
-        first = np.cumsum([0, *(ask.count for _, _, ask in self._study.asks)]).tolist()
-        known = {ask.key: (ask, at) for (_, _, ask), at in zip(self._study.asks, first, strict=False)}
+        first = np.cumsum([0, *(ask.count for ask in self._study.asks)]).tolist()
+        known = {ask.key: (ask, at) for ask, at in zip(self._study.asks, first, strict=False)}
         for name in self.outputs:
             if name not in known:
                 raise SceneError(unknown(name, known, "ask"), file=scene.data.file, path=f"ask.{name}")

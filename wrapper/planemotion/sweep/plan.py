@@ -16,6 +16,7 @@ from ..compile.designs import draw
 from ..compile.grids import read_grid
 from ..geometry.parameters import Parameters
 from ..language.units import declared_unit, factor
+from ..model.readers import Value
 from ..reading.scene import SceneData
 
 if TYPE_CHECKING:
@@ -92,7 +93,9 @@ class SweepPlan:
         """The parameters of one case as one would write them after --set: "1.01 in"."""
         place = np.unravel_index(index, self.shape)
         return {
-            axis.name: axis.text(i) for group, i in zip(self.groups, place, strict=True) for axis in group
+            axis.name: axis.text(int(i))
+            for group, i in zip(self.groups, place, strict=True)
+            for axis in group
         }
 
     def block(self, first: int, count: int) -> Floats:

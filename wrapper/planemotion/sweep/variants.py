@@ -86,7 +86,10 @@ def asks_of_all(solvers: Sequence[Solver]) -> tuple[Asked, ...]:
     for solver in solvers:
         for _, _, ask in solver.asks:
             known = asks.get(ask.key)
-            if known is None or ask.columns > known.columns:
+            if known is not None and known.letters != ask.letters:
+                reason = "its events differ from case to case; name those that are there in all"
+                raise SceneError(reason, path=f"ask.{ask.key}")
+            if known is None or ask.count > known.count:
                 asks[ask.key] = ask
     return tuple(asks.values())
 
@@ -96,9 +99,9 @@ def _spread(block: Block, solver: Solver, asks: Sequence[Asked]) -> Block:
     own: dict[str, tuple[int, int, int]] = {}
     place = 0
     for number, (_, _, ask) in enumerate(solver.asks):
-        own[ask.key] = number, place, ask.columns
-        place += ask.columns
-    width = sum(ask.columns for ask in asks)
+        own[ask.key] = number, place, ask.count
+        place += ask.count
+    width = sum(ask.count for ask in asks)
     value = np.full((len(block), width), np.nan)
     error = np.full((len(block), width if solver.estimate else 0), np.nan, np.float32)
     reason = np.full((len(block), len(asks)), PM_REASON_NOT_REACHED, np.int8)
@@ -110,7 +113,7 @@ def _spread(block: Block, solver: Solver, asks: Sequence[Asked]) -> Block:
             if solver.estimate:
                 error[:, first : first + count] = block.error[:, at : at + count]
             reason[:, column] = block.reason[:, number]
-        first += ask.columns
+        first += ask.count
     return replace(block, value=value, error=error, reason=reason)
 
 
