@@ -134,8 +134,11 @@ void pm_event_search_leave(const pm_step *step, pm_event_set *e)
         f->left = last_side(step, e, i, INFINITY);
         pm_event_course of;
         pm_event_samples_take(step, e, i, &of);
-        const double rounding = pm_event_changes_sign(f) ? PM_ON_ZERO * of.biggest : 0;
-        if (fabs(of.g[last]) > fmax(f->slack, rounding)) f->held = 0;
+        if (fabs(of.g[last]) > f->slack) {
+            if (f->held && f->left == 0)
+                f->left = of.g[last]; /* has just fired, and is beyond zero by rounding */
+            f->held = 0;
+        }
         f->since = 0;
     }
 }
