@@ -23,22 +23,28 @@ static double cut_speed(const pm_workspace *w, double share)
     return (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER : 1) * share * w->numbers.speed;
 }
 
-/* Of the scene's speed, what is lost where places are rounded to so much; and where the top of a bounce is an instant of its own
- * the contact must not touch there. */
+/* Of the scene's speed, what is lost where places are rounded to so much. */
 static double lost(const pm_workspace *w, double share)
 {
-    const double far_off = sqrt(pm_contact_reach(w) / w->numbers.size);
-    return fmax(share * far_off, w->phase.route->meets_places ? PM_LOWEST_TOP : 0);
+    return share * sqrt(pm_contact_reach(w) / w->numbers.size);
 }
 
-/* Below which rebounds are the last.  Where it is known how long a series goes on it is followed less far. */
+/* Where the top of a bounce is an instant of its own the contact must not touch there. */
+static double lowest_top(const pm_workspace *w) { return w->phase.route->meets_places ? PM_LOWEST_TOP : 0; }
+
+/* Below which rebounds are the last.  Where it is known how long a series goes on it is followed less far; the first rebound of
+ * all is followed as far as can be. */
 static double last_speed(const pm_workspace *w, int contact)
 {
-    const int settled = pm_bounce_series_is_settled(w, contact);
-    return cut_speed(w, fmax(lost(w, PM_LAST_BOUNCE), settled ? PM_BOUNCE_SETTLED : 0));
+    const double least = pm_bounce_series_is_settled(w, contact) ? PM_BOUNCE_SETTLED : 0,
+                 top = w->event->series[contact].known > 1 ? lowest_top(w) : 0;
+    return cut_speed(w, fmax(lost(w, PM_LAST_BOUNCE), fmax(least, top)));
 }
 
-static double spent_speed(const pm_workspace *w) { return cut_speed(w, lost(w, PM_BOUNCE_SPENT)); }
+static double spent_speed(const pm_workspace *w)
+{
+    return cut_speed(w, fmax(lost(w, PM_BOUNCE_SPENT), lowest_top(w)));
+}
 
 static int is_resolved(const pm_workspace *w, int contact)
 {

@@ -562,8 +562,8 @@ FAULTS = [
     Fault(
         "jump: rocking goes on where its top touches",
         "events/last_bounce.c",
-        "w->phase.route->meets_places ? PM_LOWEST_TOP : 0)",
-        "0)",
+        "return cut_speed(w, fmax(lost(w, PM_BOUNCE_SPENT), lowest_top(w)));",
+        "return cut_speed(w, lost(w, PM_BOUNCE_SPENT));",
     ),
     Fault(
         "series: flights that do not shrink come to an end",
