@@ -87,6 +87,7 @@ stress: setup
 	$(BIN)/python -m tests.stress.tables --valid
 	$(BIN)/python -m tests.stress.tables --threads
 	$(BIN)/python -m tests.stress.files $(FILES)
+	$(BIN)/python -m tests.stress.drift $(DRIFT)
 
 faults:
 	@.ci/setup --tools
