@@ -48,6 +48,10 @@ FAULTS = [
     ('"AB.A", "ground"', '"A", "ground"', 10, "joints.A.pin[0]", '"A"', 'did you mean "AB.A"?'),
     ('["AB.A", "ground"]', '["AB.A"]', 10, "joints.A.pin", '["AB.A"]', "two partners are wanted"),
     ('["AB.A", "ground"]', '"AB.A"', 10, "joints.A.pin", '"AB.A"', "two partners are wanted"),
+    (
+        '[forces]', '[couplings.m]\nmotor = ["AB", "ground"]\nspeed = "60 rpm"\n[forces]', 15,
+        "couplings.m.speed", "", 'did you mean "value"?',
+    ),
     # contacts
     ("ground.floor", "ground.flor", 12, "contacts.c.touch[1]", '"ground.flor"', "it has stop, floor"),
     ('"ground.floor"', '"floor"', 12, "contacts.c.touch[1]", '"floor"', 'did you mean "ground.floor"?'),
@@ -69,6 +73,7 @@ FAULTS = [
     ('"AB.angle < -60 deg"', '"-60 deg"', 16, "events.low", '"-60 deg"', 'a condition is wanted: "A = B"'),
     ("< -60 deg", "<", 16, "events.low", '"AB.angle <"', "it ends where a number, a name"),
     ('at = "low"', 'at = "high"', 18, "ask.omega.at", '"high"', "there is low, end"),
+    ('at = "low"', 'at = "c"', 18, "ask.omega.at", '"c"', 'events.NAME = "c strikes", then at = "NAME"'),
     ('"low" }', '"AB.angle = 1" }', 18, "ask.omega.at", '"AB.angle = 1"', "a condition gets a name: events."),
     ('"rad/s"', '"m"', 18, "ask.omega.unit", '"m"', "this is a length; the answer is an angular velocity"),
     ('of = "AB.omega", ', "", 18, "ask.omega", "", "one of of, max, min, integral, mean, rms is wanted"),

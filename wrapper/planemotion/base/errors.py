@@ -85,6 +85,7 @@ _MEANT: Mapping[str, tuple[str, ...]] = {
     "rope": ("cord",),
     "rotation": ("turned", "angle"),
     "solver": ("solve",),
+    "speed": ("value", "velocity"),
     "spin": ("omega",),
     "string": ("cord",),
     "theta": ("angle",),

@@ -227,7 +227,8 @@ class Asks:
         if found is None:
             word = (name.split() or [""])[0]
             known = [*self.events, "end"]
-            example = f'; a condition gets a name: events.NAME = "{name}", then at = "NAME"'
+            when = f"{name} strikes" if name in self.measures.scope.contacts else name
+            example = f'; a condition gets a name: events.NAME = "{when}", then at = "NAME"'
             hint = "" if nearest(word, known) else example
             raise SceneError(unknown(word, known, "instant") + hint, path=where, value=at)
         event, nth = found
