@@ -154,3 +154,15 @@ def test_the_player_keeps_the_time_of_the_frames(browser: Any, tmp_path: Path) -
             assert seen is None or fresh == pytest.approx(seen[1], abs=1e-3)
         page.keyboard.press("e")
         assert page.get_by_label("energies over time").is_visible()
+
+
+def test_in_a_frame_of_a_notebook_all_of_it_is_seen(browser: Any, tmp_path: Path) -> None:
+    shown = planemotion.load_text(BALL).animate()
+    host = tmp_path / "notebook.html"
+    host.write_text(f'<div style="width: 620px">{shown._repr_html_()}</div>', encoding="utf-8")
+    with opened(browser, host, "light") as page:
+        inner = page.frames[1]
+        inner.wait_for_selector(".keys")
+        tall = page.evaluate("document.querySelector('iframe').clientHeight")
+        assert inner.evaluate("document.querySelector('.pm').scrollHeight") <= tall + 4 or tall == 1000
+        assert tall > 750, "the column is narrow: what stands beside the scene stands below it"
