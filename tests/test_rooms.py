@@ -34,6 +34,8 @@ class House:
 
     rooms: tuple[str | list[str], ...]
     largest_circle: int
+    longest_file: int
+    longest_function: int
 
     @property
     def folders(self) -> list[str]:
@@ -55,7 +57,8 @@ class House:
 
 def house() -> House:
     table = tomllib.loads((WRAPPER / "rooms.toml").read_text(encoding="utf-8"))
-    return House(tuple(table["rooms"]), table["largest_circle"])
+    rooms = tuple(table.pop("rooms"))
+    return House(rooms, **table)
 
 
 def modules(package: Path) -> dict[str, Path]:
@@ -141,6 +144,26 @@ def circles(package: Path, plan: House) -> list[list[str]]:
     return circles_of(needs)
 
 
+def long_files(package: Path, plan: House) -> dict[str, int]:
+    """The modules that have too many lines."""
+    lengths = {name: path.read_text("utf-8").count("\n") for name, path in modules(package).items()}
+    return {name: n for name, n in lengths.items() if n > plan.longest_file}
+
+
+def functions(package: Path) -> dict[str, int]:
+    """The lines of each function, with its docstring and without its decorators."""
+    return {
+        f"{name}: {node.name} (line {node.lineno})": (node.end_lineno or 0) - node.lineno + 1
+        for name, path in modules(package).items()
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    }
+
+
+def long_functions(package: Path, plan: House) -> dict[str, int]:
+    return {name: n for name, n in functions(package).items() if n > plan.longest_function}
+
+
 # ---- the package ----------------------------------------------------------------------------------------
 
 
@@ -164,9 +187,17 @@ def test_circles_are_small() -> None:
     assert [group for group in circles(WRAPPER / PACKAGE, plan) if len(group) > plan.largest_circle] == []
 
 
+def test_no_file_is_too_long() -> None:
+    assert long_files(WRAPPER / PACKAGE, house()) == {}
+
+
+def test_no_function_is_too_long() -> None:
+    assert long_functions(WRAPPER / PACKAGE, house()) == {}
+
+
 # ---- the check itself -----------------------------------------------------------------------------------
 
-PLAN = House((["_made"], "low", "high", ["__init__", "cli"]), 2)
+PLAN = House((["_made"], "low", "high", ["__init__", "cli"]), 2, 5, 2)
 SOUND = {
     "__init__.py": "from .cli import main",
     "cli.py": "from .high import wall\nimport house.low.stone",
@@ -221,3 +252,13 @@ def test_a_module_without_a_room_is_found(tmp_path: Path) -> None:
 def test_a_circle_of_modules_is_found(tmp_path: Path) -> None:
     package = built(tmp_path, high__roof="from .wall import width")
     assert circles(package, PLAN) == [["high.roof", "high.wall"]]
+
+
+def test_long_files_and_functions_are_found(tmp_path: Path) -> None:
+    package = built(
+        tmp_path,
+        low__stone="@one\n@two\ndef f():\n    pass\n    return\n",
+        low__sand="def f():\n    x = 1\n    y = 2\n\n\nz = 3\n",
+    )
+    assert long_files(package, PLAN) == {"low.sand": 6}
+    assert long_functions(package, PLAN) == {"low.sand: f (line 1)": 3, "low.stone: f (line 3)": 3}

@@ -67,3 +67,8 @@ def to_toml(raw: Mapping[str, Any]) -> str:
         ]
         texts.append("\n".join(lines))
     return "\n\n".join(texts) + "\n"
+
+
+def to_whole_toml(raw: Mapping[str, Any], tables: Mapping[str, Any]) -> str:
+    """The same with other [tables], such as those whose values stand in files of their own."""
+    return to_toml({**raw, "tables": {**raw["tables"], **tables}})

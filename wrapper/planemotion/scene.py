@@ -14,20 +14,19 @@ from __future__ import annotations
 
 import copy
 import os
-import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from .base.bounded import check_table, shown
-from .base.errors import SceneError, SceneHint, located
+from .base.errors import SceneError
 from .base.html import html_table
-from .base.lines import Written
-from .geometry.parameters import override
 from .language.units import declared_unit
 from .model.tables import DEFAULT_G
-from .model.words import ELEMENTS, OPTIONS, unknown
-from .reading.plain import literal, plain, plain_text
+from .reading.change import set_value
+from .reading.outline import name_of, outline
+from .reading.plain import plain, plain_text
+from .reading.renamed import Hints
 from .reading.scene import SceneData
 from .reading.validate import validate
 from .sweep.cache import Kept
@@ -47,8 +46,6 @@ if TYPE_CHECKING:
 
 # Keys that are words of Python, as they are written there.
 _PYTHON = {"for_": "for", "with_": "with", "from_": "from"}
-# Tables that may be set beside parameters, as in "sweep.d.num".
-_SETTABLE = ("parameters", "find", "sweep", *OPTIONS)
 
 
 def _spelled(one: Any) -> Any:
@@ -97,7 +94,7 @@ class Scene:
         self._text: str | None = None
         self._data: SceneData | None = None
         self._kept = Kept()
-        self._hinted: set[str] = set()
+        self._hints = Hints()
 
     @classmethod
     def from_table(
@@ -128,7 +125,7 @@ class Scene:
         """`points`, `lines`, `circles`, `curves` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
             spelled = {name: _spelled(one) for name, one in named.items()}
-            self._part("ground").setdefault(group, {}).update(plain(spelled))
+            self._raw.setdefault("ground", {}).setdefault(group, {}).update(plain(spelled))
         return self._changed()
 
     def body(self, name: str, **keys: Any) -> Self:
@@ -207,7 +204,7 @@ class Scene:
         if self._data is None:
             name = shown(Path(self.file).stem) if self.file else "scene"
             self._data = validate(self._raw, file=self.file, name=name, text=self._text)
-            self._hint(self._data.hints)
+            self._hints.tell(self._data.hints, self.file, self._text)
         return self._data
 
     def tables(self) -> list[FlatScene]:
@@ -246,14 +243,12 @@ class Scene:
     @property
     def whole_text(self) -> str:
         """The scene as TOML that needs no other file: with the values of its tables."""
-        from .file import to_toml
+        from .file import to_toml, to_whole_toml
 
         if self.data.whole is not None:
             return to_toml(self.data.whole)
         values = {name: table.in_scene for name, table in self.data.tables.items() if table.file is not None}
-        if not values:
-            return self.text
-        return to_toml({**self._raw, "tables": {**self._raw["tables"], **values}})
+        return to_whole_toml(self._raw, values) if values else self.text
 
     def to_toml(self) -> str:
         """The scene as TOML, written anew."""
@@ -268,34 +263,25 @@ class Scene:
         Raises SceneError for an unknown name or a value of another dimension.
         """
         scene = Scene.from_table(self._raw, file=self.file, text=self._text)
-        scene._hinted = self._hinted
+        scene._hints = self._hints
         for name, value in values.items():
-            scene._set(name, plain(value))
+            try:
+                set_value(scene._raw, name, plain(value), lambda: scene.data)
+            except SceneError as error:
+                raise error.at(file=self.file) from None
+            scene._changed()
         return scene
 
     # ---- as it is shown ----
 
-    def _counted(self) -> list[tuple[str, str]]:
-        """Its tables with the names of what stands in them."""
-        shown = ("parameters", "bodies", "joints", "couplings", "contacts", "forces", "events", "runs", "ask")
-        tables = ((name, self._raw.get(name)) for name in shown)
-        return [
-            (name, ", ".join(map(str, table))) for name, table in tables if isinstance(table, dict) and table
-        ]
-
-    def _name(self) -> str:
-        """Its title or id, or the file, as it is written; a scene with a fault has one, too."""
-        given = self._raw.get("title") or self._raw.get("id")
-        return str(given or (Path(self.file).name if self.file else "without a title"))
-
     def __repr__(self) -> str:
-        return "\n".join(
-            [f"Scene {self._name()}", *(f"  {name}: {names}" for name, names in self._counted())]
-        )
+        lines = [f"  {name}: {names}" for name, names in outline(self._raw)]
+        return "\n".join([f"Scene {name_of(self._raw, self.file)}", *lines])
 
     def _repr_html_(self) -> str:
         """A table of what is in it for a notebook."""
-        return html_table(f"Scene {self._name()}", [("table", "names"), *self._counted()])
+        rows = [("table", "names"), *outline(self._raw)]
+        return html_table(f"Scene {name_of(self._raw, self.file)}", rows)
 
     # ---- running ----
 
@@ -481,15 +467,9 @@ class Scene:
         """
         from .sweep.run import run_sweep
 
-        if workers is not None and not isinstance(workers, int):
-            reason = (
-                'a number of threads is wanted; a parameter of that name is swept by grids={"workers": ...}'
-            )
-            raise SceneError(reason, file=self.file, path="workers")
-        scene = self
         chosen = {**(grids or {}), **more_grids}
-        if chosen:
-            scene = type(self).from_table({**self._raw, "sweep": plain(chosen)}, file=self.file)
+        table = {**self._raw, "sweep": plain(chosen)}
+        scene = type(self).from_table(table, file=self.file) if chosen else self
         return run_sweep(
             scene,
             out=out,
@@ -578,81 +558,10 @@ class Scene:
 
     # ---- changing ----
 
-    def _part(self, key: str) -> dict[str, Any]:
-        table: dict[str, Any] = self._raw.setdefault(key, {})
-        return table
-
     def _update(self, table: str, values: Mapping[str, Any]) -> Self:
-        self._part(table).update(plain({name: _spelled(one) for name, one in values.items()}))
+        self._raw.setdefault(table, {}).update(plain({name: _spelled(one) for name, one in values.items()}))
         return self._changed()
 
     def _changed(self) -> Self:
         self._data = self._text = None
         return self
-
-    def _set(self, name: str, value: Any) -> None:
-        """Sets a parameter or a setting by its dotted name."""
-        first, _, rest = name.partition(".")
-        declared = self._declared(name)
-        if not rest or first == "parameters" or name in declared:
-            key = rest if first == "parameters" else name
-            if isinstance(value, list):
-                reason = f"one value is wanted; sweep({key}=[...]) computes a case for each of a list"
-                raise SceneError(reason, file=self.file, path=key, value=value)
-            if key not in declared and not rest:
-                reason = unknown(name, declared, "parameter") + "; or set sweep.PARAMETER..., solve.KEY"
-                raise SceneError(reason, file=self.file, path=name)
-            try:
-                self._check_not_sought(key)
-                changed = override(declared, key, value, self.data.book)
-            except SceneError as error:
-                raise error.at(file=self.file) from None
-            self._update("parameters", {key: changed})
-            return
-        if first not in _SETTABLE:
-            reason = f"only {', '.join(_SETTABLE[:-1])} and {_SETTABLE[-1]} can be set, not {first}"
-            raise SceneError(reason, file=self.file, path=name)
-        table, key = self._raw, name
-        if first in ELEMENTS:
-            table, key = self._element(first, rest, name)
-        while "." in key:
-            word, _, key = key.partition(".")
-            below = table.setdefault(word, {})
-            if not isinstance(below, dict):
-                raise SceneError(f"{word} is no table", file=self.file, path=name)
-            table = below
-        table[key] = literal(value)
-        self._changed()
-
-    def _element(self, group: str, rest: str, path: str) -> tuple[dict[str, Any], str]:
-        """The element whose option `rest` is ("floor.law"), and what is left of it ("law")."""
-        elements = self._raw.get(group, {})
-        named = [name for name in elements if rest.startswith(f"{name}.")]
-        if not named:
-            reason = unknown(rest.rpartition(".")[0], elements, f"entry of {group}")
-            raise SceneError(reason, file=self.file, path=path)
-        name = max(named, key=len)
-        if not isinstance(elements[name], dict):
-            raise SceneError(f"{name} is no table", file=self.file, path=path)
-        return elements[name], rest[len(name) + 1 :]
-
-    def _declared(self, name: str) -> dict[str, Any]:
-        """The parameters, also those that parts bring where the name may be one of these."""
-        declared = {"g": DEFAULT_G, **self._raw.get("parameters", {})}
-        if name in declared or name.partition(".")[0] in ("find", "sweep", "solve"):
-            return declared
-        return {**self.data.parameters, **declared} if "parts" in self._raw or "." in name else declared
-
-    def _hint(self, hints: Iterable[str]) -> None:
-        """Warns of each old word once, also where the scene is read again with other values."""
-        for hint in hints:
-            if hint not in self._hinted:
-                self._hinted.add(hint)
-                warnings.warn(located(hint, self.file, Written(self._text)), SceneHint, stacklevel=4)
-
-    def _check_not_sought(self, name: str) -> None:
-        """Raises SceneError for a parameter that every run looks for: setting it would do nothing."""
-        top = self._raw.get("find")
-        own = [run.get("find", top) for run in self._raw.get("runs", {}).values()] or [top]
-        if all(find and name in find.get("vary", {}) for find in own):
-            raise SceneError(f"[find] looks for it; set find.vary.{name}", path=f"parameters.{name}")

@@ -144,7 +144,7 @@ def _traced(motion: Motion, shows: Shows) -> list[tuple[str, Anchor]]:
         return [(name, [i, 0.0, 0.0]) for i, (name, body) in enumerate(bodies.items()) if not body.rotates]
     found = []
     for text in shows.traces:
-        name, _, point = text.partition(".")
+        name, point = motion.drawing.names.owner(text)
         if name not in bodies:
             raise SceneError(unknown(name, bodies, "body"), path="trace", value=text)
         points = motion.drawing.marks(name).points

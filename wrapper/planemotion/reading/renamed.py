@@ -5,11 +5,13 @@ Each old word that a scene has gives a hint that names its key, the old and the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import warnings
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..base.errors import SceneError
+from ..base.errors import SceneError, SceneHint, located
+from ..base.lines import Written
 
 
 @dataclass(frozen=True)
@@ -94,3 +96,17 @@ def _change(word: _Renamed, given: Any, meant: Any) -> str:
     if given == meant:
         return f"write {word.new} instead of {word.old}"
     return f'write {word.new} = "{meant}" instead of {word.old} = "{given}"'
+
+
+class Hints:
+    """The hints at old words of a scene and its copies with other values: each is given once."""
+
+    def __init__(self) -> None:
+        self._given: set[str] = set()
+
+    def tell(self, hints: Iterable[str], file: str | None, text: str | None) -> None:
+        """Warns whoever asked for the data of the scene."""
+        for hint in hints:
+            if hint not in self._given:
+                self._given.add(hint)
+                warnings.warn(located(hint, file, Written(text)), SceneHint, stacklevel=4)

@@ -8,9 +8,9 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from ..base.errors import StudyError
+from ..base.errors import SceneError, StudyError
 from .cache import Kept
 from .cases import Study
 from .chunks import Progress, fill
@@ -52,8 +52,11 @@ class SweepFiles:
 
 
 def _study_of(
-    scene: WrittenScene, workers: int | None, kept: Kept | None, executor: ExecutorLike | None = None
+    scene: WrittenScene, workers: Any, kept: Kept | None, executor: ExecutorLike | None = None
 ) -> Study:
+    if workers is not None and not isinstance(workers, int):
+        reason = 'a number of threads is wanted; a parameter of that name is swept by grids={"workers": ...}'
+        raise SceneError(reason, file=scene.file, path="workers")
     if workers is not None and workers < 1:
         raise StudyError(f"workers = {workers}: at least 1 is needed")
     if executor is not None and not (callable(executor) or is_executor(executor)):
