@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -31,6 +32,12 @@ def _animation(_ctx: click.Context, _option: click.Parameter, out: Path | None) 
     return out
 
 
+def _out_option(
+    says: str, check: Callable[[click.Context, click.Parameter, Path | None], Path | None]
+) -> Callable[[Any], Any]:
+    return click.option("--out", metavar="FILE", type=a_path, callback=check, help=says)
+
+
 _theme_option = click.option(
     "--theme", type=click.Choice(THEMES), default="light", help="Ink on light or dark paper."
 )
@@ -38,13 +45,7 @@ _theme_option = click.option(
 
 @click.command()
 @click.argument("result", type=a_path)
-@click.option(
-    "--out",
-    metavar="FILE",
-    type=a_path,
-    callback=_picture,
-    help="The picture, .png, .svg or .pdf (default: a PNG beside RESULT).",
-)
+@_out_option("The picture, .png, .svg or .pdf (default: a PNG beside RESULT).", _picture)
 @_theme_option
 def plot(result: Path, out: Path | None, theme: str) -> None:
     """Draw the result of a sweep, or a recorded history.
@@ -59,13 +60,7 @@ def plot(result: Path, out: Path | None, theme: str) -> None:
 
 @click.command()
 @click.argument("scene", type=a_path)
-@click.option(
-    "--out",
-    metavar="FILE",
-    type=a_path,
-    callback=_picture,
-    help="The picture, .png, .svg or .pdf (default: SCENE's name with .png, here).",
-)
+@_out_option("The picture, .png, .svg or .pdf (default: SCENE's name with .png, here).", _picture)
 @click.option(
     "--at", metavar="INSTANT", help='A time ("0.3 s") or an event ("strike", "strike 2") of the run.'
 )
@@ -119,13 +114,7 @@ def draw(
 
 @click.command()
 @click.argument("scene", type=a_path)
-@click.option(
-    "--out",
-    metavar="FILE",
-    type=a_path,
-    callback=_animation,
-    help="The animation, .html, .gif or .mp4 (default: SCENE's name with .html, here).",
-)
+@_out_option("The animation, .html, .gif or .mp4 (default: SCENE's name with .html, here).", _animation)
 @click.option(
     "--show",
     metavar="WORDS",
