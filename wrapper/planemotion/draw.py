@@ -29,7 +29,12 @@ def draw(
     theme: str = "light",
     show: str | Iterable[str] = (),
 ) -> Picture:
-    """Draws a scene: see Scene.draw."""
+    """Draws a scene: see Scene.draw.
+
+    Values in figures are in lb, ft and s where the scene has feet or inches, else in N, m, s and J; vectors
+    by their parts along x and y, or across (N) and along (F) a surface.  "?" is what nothing tells, such as
+    the reaction at a body whose mass was left out.
+    """
     chosen = (bodies,) if isinstance(bodies, str) else tuple(bodies)
     words = listed(show)
     more = shown_with(words)

@@ -23,7 +23,12 @@ if TYPE_CHECKING:
 def history(
     scene: Scene, quantities: Sequence[str] = (), *, every: Any = None, run: str | None = None
 ) -> xarray.Dataset:
-    """The history of one run as a dataset: see Scene.history."""
+    """The history of one run as a dataset: see Scene.history.
+
+    It has the dimension t with the coordinates t (s), mark (0 between events, 1 before, 2 after one) and
+    event (its name); every variable has its SI unit in the attribute `units`.  A run that ends early has what
+    there is, and says so in the attribute `status`.
+    """
     recorded = record(scene, quantities, every=every, run=run)
     told = {"id": scene.id, "title": scene.data.title, "scene": scene.whole_text}
     return dataset(recorded, told if run is None else {**told, "run": run})

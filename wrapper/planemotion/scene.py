@@ -208,17 +208,8 @@ class Scene:
         return self._data
 
     def tables(self) -> list[FlatScene]:
-        """The tables of each of its [runs], without a history, made once until it is changed.
-
-        Raises SceneError as `data` does."""
-        from .compile.flatten import flatten
-
-        data = self.data
-        use = frozenset(data.sweep.grids), False
-        names = tuple(data.runs) or (None,)
-        return self._kept.flats(
-            self._raw, self.file, use, lambda: [flatten(data, name, history=False) for name in names]
-        )
+        """The tables of each of its [runs], without a history; raises SceneError as `data` does."""
+        return self._kept.flats_of(self.data, self._raw, self.file)
 
     @property
     def table(self) -> dict[str, Any]:
@@ -318,9 +309,7 @@ class Scene:
         is shown.  `of_run`: which of its [runs] (default: the first).  Every event has two rows, before and
         after its jump.
 
-        The dataset has the dimension t with the coordinates t (s), mark (0 between events, 1 before, 2 after
-        one) and event (its name); every variable has its SI unit in the attribute `units`.  A run that ends
-        early has what there is, and says so in the attribute `status`.  Raises SceneError for a fault,
+        What the dataset holds is said in `planemotion.history`.  Raises SceneError for a fault,
         SimulationError if nothing can be recorded.
 
         >>> from planemotion import load_text
@@ -386,13 +375,10 @@ class Scene:
         (without `at` of the first blow) or "energy" (the work of each force since the start; without `at` of
         the whole run); of all bodies, or of `bodies`.  `show`: of "dimensions" and "velocities", as a list or
         with commas, without `as_`.  `of_run`: which of its [runs] (default: the first).  `theme`: "light" or
-        "dark" paper.
-
-        Values are in lb, ft and s where the scene has feet or inches, else in N, m, s and J; vectors by their
-        parts along x and y, or across (N) and along (F) a surface.  "?" is what nothing tells, such as the
-        reaction at a body whose mass was left out.  `save` writes PNG, SVG or PDF, by the ending.  Raises
-        SceneError for a fault in the scene, an unknown figure or body, an instant that the run does not come
-        to or where nothing is struck but shall be; SimulationError if nothing can be recorded.
+        "dark" paper.  `save` writes PNG, SVG or PDF, by the ending; how values stand in figures is said in
+        `planemotion.draw`.  Raises SceneError for a fault in the scene, an unknown figure or body, an instant
+        that the run does not come to or where nothing is struck but shall be; SimulationError if nothing can
+        be recorded.
         """
         from .draw import draw
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 if TYPE_CHECKING:
     from ..compile.flatten import FlatScene
+    from ..reading.scene import SceneData
 
 # Which parameters are swept, and whether a history can be made.
 _Use: TypeAlias = tuple[frozenset[str], bool]
@@ -35,3 +36,11 @@ class Kept:
         if use not in self._flats:
             self._flats[use] = make()
         return self._flats[use]
+
+    def flats_of(self, data: SceneData, raw: Mapping[str, Any], file: str | None) -> list[FlatScene]:
+        """The tables of each of its [runs], without a history, made once until the scene is changed."""
+        from ..compile.flatten import flatten
+
+        use = frozenset(data.sweep.grids), False
+        names = tuple(data.runs) or (None,)
+        return self.flats(raw, file, use, lambda: [flatten(data, name, history=False) for name in names])
