@@ -12,6 +12,8 @@ void pm_model_free(pm_model *model);
 /* check.c: where the tables are and how long (the directory), then what stands in them, references first. */
 int pm_check_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_where *where);
 int pm_check_tables(pm_model *m, pm_where *where);
+/* check_reads.c: what programs read, of tables that have been checked. */
+int pm_check_reads(const pm_model *m, pm_where *where);
 /* Something has a prescribed motion. */
 int pm_model_is_driven(const pm_model *model);
 
