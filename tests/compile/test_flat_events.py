@@ -67,9 +67,24 @@ def test_runs_have_their_own_values_bodies_and_asks() -> None:
         flatten(load_text(RUNS.replace('run = "kept"', 'run = "left"')), "left")
 
 
-def test_sweeping_what_decides_on_activity_is_refused() -> None:
-    with pytest.raises(SceneError, match="not built yet: sweeping keep"):
-        flatten(load_text(RUNS + "sweep.keep = [0, 1]\n"))
+def test_what_decides_on_activity_is_swept_by_tables_of_its_own() -> None:
+    made = load_text(RUNS.replace("runs = { kept", "runs = { other = {}, kept") + "sweep.keep = [1, 0]\n")
+    assert flatten(made, "kept").bodies == ("P", "Q")
+    scene = load_text(SWITCHED)
+    swept = scene.sweep()
+    assert swept["x"].values.tolist() == [scene.run(keep=keep)["x"] for keep in (2, 0)]
+    assert swept["x"].values.tolist() == pytest.approx([0.25, 0.0], abs=1e-12)
+
+
+SWITCHED = """
+until = "t = 0.5 s"
+plane = "horizontal"
+parameters = { keep = 0, half = "keep/2" }
+bodies.P = { mass = "1 kg", at = [0, 0] }
+forces.push = { force = "P", value = ["2 N", 0], active = "half > 0.5" }
+ask = { x = "P.x" }
+sweep.keep = [2, 0]
+"""
 
 
 EVENTFUL = """

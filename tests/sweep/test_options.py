@@ -102,7 +102,7 @@ def test_files_tables_and_pictures_have_the_words(tmp_path: Path) -> None:
             "e": "0.4",
         }
         figure = plot_sweep(made)
-        told = [text.get_text() for text in figure.findobj(Text)]
+        told = [text.get_text() for text in figure.findobj(Text) if isinstance(text, Text)]
         assert "contacts.floor.friction = rough" in told
         alone = plot_sweep(made.isel(e=[0]))
         ticks = [tick.get_text() for tick in alone.axes[-1].get_xticklabels()]

@@ -250,12 +250,6 @@ class _Flattener:
         if sought:
             reason = f"what is active cannot depend on {sought[0]}, which is sought"
             raise SceneError(reason, path=where, value=written)
-        swept = depends & set(self.data.sweep.grids)
-        if swept:
-            reason = (
-                f"not built yet: sweeping {sorted(swept)[0]}, on which it depends what is active; use [runs]"
-            )
-            raise SceneError(reason, path=where, value=written)
         return self.reader.default(node) != 0
 
     def _elements(self) -> Scope:

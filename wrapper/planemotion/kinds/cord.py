@@ -36,7 +36,6 @@ _SENSES = {"ccw": 1, "cw": -1}
 
 class Cord(Coupling):
     word = "cord"
-    unbuilt = {"slips": "cords that slip on a rim"}
     quantities = {
         "tension": Quantity((layout.PM_MEASURE_CONTACT_NORMAL,), FORCE),
         "impulse": Quantity((layout.PM_MEASURE_CONTACT_IMPULSE,), IMPULSE, part=layout.PM_PART_NORM),

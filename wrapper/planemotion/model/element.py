@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
@@ -58,9 +57,6 @@ class Kind(Element):
     """
 
     word: ClassVar[str]
-    unbuilt: ClassVar[
-        Mapping[str, str]
-    ] = {}  # options of the language that are not built yet -> what they are
     partners: Any
 
     @property

@@ -57,7 +57,7 @@ _HINTS: Mapping[str, str] = {
 def check(raw: Mapping[str, Any]) -> None:
     """Raises SceneError for keys that are unknown or not built yet, and for names that clash: all of them."""
     faults = Faults()
-    _each(faults, _keys, raw, SceneData.file_keys(), "", "a scene", None, ("parameters.g",))
+    _each(faults, _keys, raw, SceneData.file_keys(), "", "a scene", ("parameters.g",))
     for name, value in words.table(raw, "parameters").items():
         _each(faults, _parameter, name, value)
     _each(faults, _ground, words.table(raw, "ground"))
@@ -143,14 +143,13 @@ def _keys(
     known: tuple[str, ...],
     path: str,
     owner: str,
-    unbuilt: Mapping[str, str] | None = None,
     elsewhere: tuple[str, ...] = (),
 ) -> None:
     """`elsewhere`: what may be meant and stands in another table."""
     faults = Faults()
     for key in given:
         if key not in known:
-            _each(faults, _unknown_key, key, known, path, owner, unbuilt or {}, elsewhere)
+            _each(faults, _unknown_key, key, known, path, owner, elsewhere)
     faults.tell()
 
 
@@ -159,13 +158,10 @@ def _unknown_key(
     known: tuple[str, ...],
     path: str,
     owner: str,
-    unbuilt: Mapping[str, str],
     elsewhere: tuple[str, ...],
 ) -> None:
     full = f"{path}.{key}" if path else key
-    if key in unbuilt:
-        raise words.not_built(unbuilt[key], full)
-    guess = nearest(key, [*known, *unbuilt, *elsewhere])
+    guess = nearest(key, [*known, *elsewhere])
     has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
     hint = f' (did you mean "{guess}"?)' if guess else ""
     raise SceneError(f"unknown key{hint}{_HINTS.get(full, '')}; {has}", path=full)
@@ -222,7 +218,7 @@ def _element(element: Any, group: str, name: str) -> None:
     kind = kind_of(words.mapping(element, path), group, path)
     article = "an" if kind[0] in "aeiou" else "a"
     known = KINDS[group][kind]
-    _keys([key for key in element if key != kind], known.options(), path, f"{article} {kind}", known.unbuilt)
+    _keys([key for key in element if key != kind], known.options(), path, f"{article} {kind}")
     if isinstance(element.get("value"), Mapping) and "polar" not in element["value"]:
         raise SceneError(_VALUE_TABLE, path=f"{path}.value")
 

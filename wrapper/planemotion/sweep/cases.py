@@ -21,7 +21,7 @@ from .layout import RESERVED_NAMES, Coordinate, Layout, names_of
 from .manifest import CHECKSUMS
 from .plan import SweepPlan
 from .solver import Solver
-from .variants import Variants, asks_of_all, variants_of
+from .variants import Variants, asks_of_all, switches_of, variants_of
 
 if TYPE_CHECKING:
     from ..reading.scene import SceneData, WrittenScene
@@ -49,7 +49,7 @@ class Study:
         self.runs = tuple(self.data.runs)
         self.kept = kept
         try:
-            columns, variants = variants_of(plan, self.data.counted)
+            columns, variants = variants_of(plan, self.data.counted | switches_of(self.data))
         except SceneError as error:
             raise error.at(file=self.data.file) from None
         named = [plan.names[i] for i in columns]

@@ -18,12 +18,24 @@ from .._layout import PM_REASON_NOT_REACHED
 from ..base.arrays import Floats
 from ..base.errors import SceneError
 from ..compile.asks import Asked
+from ..geometry.parameters import Parameters, Reader
+from ..reading.scene import SceneData
 from .block import Block
 from .plan import SweepPlan
 from .solver import Solver
 
 # Each has tables of its own.
 MOST_VARIANTS = 1000
+
+
+def switches_of(data: SceneData) -> frozenset[str]:
+    """The parameters on which it depends what is active."""
+    reader = Reader(Parameters(data.parameters, data.sweep.grids, data.book))
+    elements = [data.bodies, data.joints, data.couplings, data.contacts, data.forces]
+    written = [one.active for group in elements for one in group.values()]
+    written += [action.active for event in data.events.values() for action in event.do]
+    nodes = [reader.parameters.parse(text) for text in written if isinstance(text, str)]
+    return frozenset(name for node in nodes for name in reader.depends_on(node))
 
 
 def variants_of(plan: SweepPlan, counted: frozenset[str]) -> tuple[tuple[int, ...], list[tuple[float, ...]]]:
