@@ -138,7 +138,7 @@ def test_settings_are_set_by_their_dotted_names() -> None:
         ({"K": 1}, 'K: unknown parameter "K"; there is g, L, m, n, wide, up'),
         ({"L": "2 kg"}, 'parameters.L = "2 kg": a length (such as m) is wanted; this is a mass'),
         ({"wide": 2}, "parameters.wide = 2: a unit is wanted (such as m); the file gives an expression"),
-        ({"bodies.AB.mass": "1 kg"}, "only parameters, find, sweep and solve can be set, not bodies"),
+        ({"ground.points.P": "1 m"}, "forces and events can be set, not ground"),
         ({"L": "q"}, 'parameters.L = "q": unknown parameter "q"'),
     ],
 )

@@ -194,11 +194,13 @@ static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const p
 }
 
 /* A step that ends on a zero, but for rounding, may end before it where the next begins beyond it: that begins where the last
- * one came from. */
+ * one came from.  What stays on zero is not beyond it. */
 static void join(const pm_event_function *f, pm_event_course *of)
 {
+    int k = 0;
+    while (k < of->n && fabs(of->g[k]) <= PM_ON_ZERO * of->biggest) k++;
     const int apart = (f->left > 0 && of->g[0] <= 0) || (f->left < 0 && of->g[0] >= 0);
-    if (!f->held && apart) of->g[0] = copysign(DBL_MIN, f->left);
+    if (!f->held && apart && k < of->n) of->g[0] = copysign(DBL_MIN, f->left);
 }
 
 /* Moves *first on to the node from which its side is known (n: none); 1 if there is a bracket before it. */

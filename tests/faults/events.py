@@ -112,8 +112,8 @@ FAULTS = [
     Fault(
         "missed root: a step ends before it, the next begins behind it",
         "events/event_bracket.c",
-        "if (!f->held && apart)",
-        "if (0 && apart)",
+        "if (!f->held && apart && k < of->n)",
+        "if (0 && apart && k < of->n)",
     ),
     Fault(
         "missed root: a phase ends on it, the next leaves it on the other side",

@@ -167,7 +167,7 @@ def test_integrals_are_swept() -> None:
     [
         ('{ mean = "ball.y", at = "end" }', '"mean" is over the time of the run'),
         ('{ max = "ball.y", during = "t < (1 s)" }', "it goes with integral, mean, rms, not with max"),
-        ('{ mean = "ball.y", max = "ball.y" }', "one of of, max, min, integral, mean, rms is wanted"),
+        ('{ mean = "ball.y", max = "ball.y" }', "one of of, max, min, integral, mean, rms, events is wanted"),
         ('{ mean = "ball.y", during = "ball.y" }', "a condition is wanted"),
         ('{ mean = "ball.y", during = "ball.y < (1 s)" }', "a length"),
         ('{ integral = "ball.y", unit = "m" }', "the answer is a quantity of length*time"),

@@ -91,7 +91,7 @@ FAULTS = [
         'couplings.c = { motor = ["disk", "AB"], value = "3 m/s" }',
         'couplings.c.value = "3 m/s": an angular velocity (1/time, such as rad/s) is wanted',
     ),
-    ("bodies.AB.driven = { speed = 3 }", "bodies.AB.driven.speed: unknown key; a driven body has velocity"),
+    ("bodies.AB.driven = { speed = 3 }", 'bodies.AB.driven.speed: unknown key (did you mean "velocity"?)'),
     (
         'bodies.P.driven = { omega = "3 rad/s" }',
         "bodies.P.driven.omega: a particle does not rotate; leave out omega",

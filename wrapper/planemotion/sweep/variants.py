@@ -31,8 +31,11 @@ MOST_VARIANTS = 1000
 def switches_of(data: SceneData) -> frozenset[str]:
     """The parameters on which it depends what is active."""
     reader = Reader(Parameters(data.parameters, data.sweep.grids, data.book))
-    elements = [data.bodies, data.joints, data.couplings, data.contacts, data.forces]
-    written = [one.active for group in elements for one in group.values()]
+    elements = (
+        *(data.bodies.values(), data.joints.values(), data.couplings.values()),
+        *(data.contacts.values(), data.forces.values()),
+    )
+    written = [one.active for group in elements for one in group]
     written += [action.active for event in data.events.values() for action in event.do]
     nodes = [reader.parameters.parse(text) for text in written if isinstance(text, str)]
     return frozenset(name for node in nodes for name in reader.depends_on(node))
