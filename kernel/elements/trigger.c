@@ -245,7 +245,7 @@ int pm_trigger_count_marked(pm_workspace *w)
         x->seen[event]++;
         x->counted[event] = fires ? PM_COUNTED_FIRED : PM_COUNTED_MARKED;
         if (!fires) continue;
-        x->count[event]++;
+        x->count[event] += x->count[event] >= 0 && x->count[event] < PM_COUNTLESS; /* else it has no number */
         x->time[event] = w->state.t;
     }
     return any;

@@ -1,20 +1,27 @@
 /* bounce_series.c - the time that the bounces take which are too small to be computed.
  *
  * A contact that bounces is closed at a blow whose rebound is lost in rounding (last_bounce.c).  The bounces that are left
- * take a time all the same.  With blows at t1 < t2 < t3 < t4 the flights between them shrink by r = (t4 - t3) / (t3 - t2),
- * which for constant accelerations is its coefficient of restitution.  If the flights before had the same ratio, and nothing
- * else struck its bodies in between, the ones to come sum up to
- *   (t4 - t3) (r + r^2 + ...) = (t4 - t3) r / (1 - r).
- * Until then the contact is closed, which moves the bodies as the bounces do but for their height, and nothing that it
- * touches counts as being at rest: such a phase is computed in time.  Where the ratio has not settled it is taken as the last
- * one, and what would be left with r = e tells what is not known: a coarse run is off by that.  But where the flights shrink
- * far less than the speeds (r near 1: nothing presses what bounces) no end of the series is known: it never rests as far as
- * can be told, and its blows are not counted any more. */
+ * take a time all the same.  One contact alone, or several that share bodies, are struck in an order that comes again after
+ * k blows: the feet of a crate that clatters, or rocks.  Small bounces are alike but for their size, so the flights of each
+ * turn shrink by one ratio, the contraction of the map from turn to turn:
+ *   r = S / S',  S the sum of the last k flights, S' of the k before
+ * (for k = 1 and constant accelerations the coefficient of restitution).  It is known when each flight of the last turn, and
+ * one before it, has that ratio to the one k earlier, and the order is the same.  The flights to come then sum up to
+ *   S (r + r^2 + ...) = S r / (1 - r).
+ * Until then the contacts are closed, which moves the bodies as the bounces do but for their height, and nothing that they
+ * touch counts as being at rest: such a phase is computed in time.  Where the gaps of such an order are too small for their
+ * ratio to settle, the end is expected by the ratio of the last turns, in a coarse run by that of the turns before.  What bounces
+ * alone and has not settled is taken to go on by its last ratio; what would be left with r = e tells what is not known, and a
+ * coarse run is off by that.  But where its flights shrink far less than the speeds (r near 1: nothing presses what bounces) no
+ * end of the series is known: it never rests as far as can be told, and its blows are not counted any more.  Several contacts
+ * without an order are over when they are cut off; a coarse run cuts them off earlier and shows what that loses. */
 #include "events/bounce_series.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "elements/contact.h"
+#include "elements/trigger.h"
 #include "events/event.h"
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
@@ -23,7 +30,7 @@
 void pm_bounce_series_begin(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        w->event->series[i] = (pm_bounce_series){.over = -INFINITY};
+        w->event->series[i] = (pm_bounce_series){.over = -INFINITY, .expected = -INFINITY};
 }
 
 static int touches(const pm_model *m, int contact, int body)
@@ -35,27 +42,227 @@ static int touches(const pm_model *m, int contact, int body)
     return 0;
 }
 
-/* A blow on one of its bodies ends the series of another contact: what bounces there bounces otherwise from now on. */
-static void disturb_others(const pm_workspace *w, int contact)
+/* The contacts that were struck and share a body with this one, itself among them. */
+static int find_near(const pm_workspace *w, int contact)
 {
-    int of[PM_REFERENCES];
+    int of[PM_REFERENCES], near = 0;
     const int n = pm_reference_bodies(w->model, PM_TABLE_CONTACT, contact, of);
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        for (int k = 0; k < n && i != contact && w->event->series[i].known > 0; k++)
-            if (of[k] != PM_GROUND && touches(w->model, i, of[k])) w->event->series[i].known = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        int shares = i == contact;
+        for (int k = 0; k < n && !shares && w->event->series[i].known > 0; k++)
+            shares = of[k] != PM_GROUND && touches(w->model, i, of[k]);
+        if (shares) w->event->near[near++] = i;
+    }
+    return near;
+}
+
+/* ---- the order of blows ---- */
+/* The last blows of several contacts, the latest first. */
+typedef struct pm_blow_order {
+    int n, contact[PM_SERIES_BLOWS];
+    double time[PM_SERIES_BLOWS];
+} pm_blow_order;
+
+/* How many of a contact's blows are in the order already. */
+static int taken(const pm_blow_order *x, int contact)
+{
+    int n = 0;
+    for (int i = 0; i < x->n; i++) n += x->contact[i] == contact;
+    return n;
+}
+
+/* Those of one instant are entered in the order of the contacts: the latest is the last of them. */
+static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
+{
+    int latest = PM_NONE;
+    double time = -INFINITY;
+    for (int i = 0; i < near; i++) {
+        const int contact = e->near[i], k = taken(x, contact);
+        if (k >= e->series[contact].known || e->series[contact].struck[k] < time) continue;
+        latest = contact;
+        time = e->series[contact].struck[k];
+    }
+    if (latest == PM_NONE) return 0;
+    x->contact[x->n] = latest;
+    x->time[x->n++] = time;
+    return 1;
+}
+
+static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
+
+/* The ratio of the last turn of k blows to the one before, if each flight has it and the order is the same; 0 if not. */
+static double ratio_of_turns(const pm_blow_order *x, int k)
+{
+    if (x->n < 2 * k + 2) return 0;
+    const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
+    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED)) return 0;
+    const double share = PM_SERIES_SETTLED * ratio * (1 - ratio);
+    for (int i = 0; i <= k; i++) {
+        if (x->contact[i] != x->contact[i + k]) return 0;
+        if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))
+            return 0;
+    }
+    return ratio;
+}
+
+static int is_in_turn(const pm_blow_order *x, int k, int contact)
+{
+    for (int i = 0; i < k; i++)
+        if (x->contact[i] == contact) return 1;
+    return 0;
+}
+
+static int several(const pm_blow_order *x, int k)
+{
+    for (int i = 1; i < k; i++)
+        if (x->contact[i] != x->contact[0]) return 1;
+    return 0;
+}
+
+/* What one turn tells of all that are struck in it; a blow out of turn ends what was known of the others: what bounces there
+ * bounces otherwise from now on. */
+static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k, double ratio)
+{
+    for (int i = 0; i < near; i++) {
+        pm_bounce_series *s = &e->series[e->near[i]];
+        s->ratio = is_in_turn(x, k, e->near[i]) ? ratio : 0;
+        s->several = several(x, k);
+        s->told = x->time[0];
+        s->left = (x->time[0] - x->time[k]) * ratio / (1 - ratio);
+    }
+}
+
+/* Where the order comes again and the ratio has nearly settled: the end by that ratio, in a coarse run by the one before,
+ * which shows how far it is known.  -INFINITY if not. */
+static double end_by_turns(const pm_workspace *w, const pm_blow_order *x, int k)
+{
+    if (x->n < 3 * k + 1) return -INFINITY;
+    const double last = x->time[0] - x->time[k], before = x->time[k] - x->time[2 * k];
+    const double ratio = last / before, earlier = before / (x->time[2 * k] - x->time[3 * k]);
+    if (!(ratio > 0 && fmax(ratio, earlier) < 1 &&
+          fabs(ratio - earlier) < PM_SERIES_NEARLY * ratio * (1 - ratio)))
+        return -INFINITY;
+    for (int i = 0; i < 2 * k; i++)
+        if (x->contact[i] != x->contact[i + k]) return -INFINITY;
+    const double used = w->numbers.coarse > 1 ? earlier : ratio;
+    return x->time[0] + last * used / (1 - used);
+}
+
+/* What touches now may only seem to: the blows before this instant tell. */
+static double expect_end(const pm_workspace *w, pm_blow_order *x)
+{
+    while (x->n > 0 && x->time[0] == w->state.t) {
+        x->n--;
+        memmove(x->time, x->time + 1, (size_t)x->n * sizeof *x->time);
+        memmove(x->contact, x->contact + 1, (size_t)x->n * sizeof *x->contact);
+    }
+    double end = -INFINITY;
+    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x->n; k++) end = end_by_turns(w, x, k);
+    return end;
+}
+
+/* Its blows one after the other, with none at another contact of its bodies. */
+static void count_own(const pm_workspace *w, int near, int contact)
+{
+    const double e = pm_contact_restitution(&w->frame, contact);
+    for (int i = 0; i < near; i++)
+        if (w->event->near[i] != contact) w->event->series[w->event->near[i]].own = 0;
+    pm_bounce_series *x = &w->event->series[contact];
+    x->own = e > 0 && e < 1 ? x->own + (x->own < 4) : 0;
+}
+
+static void look_for_turns(const pm_workspace *w, int near, int contact)
+{
+    pm_blow_order x = {0};
+    double ratio = 0;
+    while (x.n < PM_SERIES_BLOWS && append_latest(w->event, near, &x)) continue;
+    int k = 0;
+    while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_turns(&x, k);
+    if (ratio > 0) tell(w->event, near, &x, k, ratio);
+    for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->near[i]].ratio = 0;
+    w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);
 }
 
 void pm_bounce_series_strike(const pm_workspace *w, int contact)
 {
     pm_bounce_series *x = &w->event->series[contact];
-    const double e = pm_contact_restitution(&w->frame, contact);
-    if (!(e > 0 && e < 1)) return;
-    disturb_others(w, contact);
-    x->over = -INFINITY;
-    for (int i = 3; i > 0; i--) x->struck[i] = x->struck[i - 1];
+    if (x->known > 0 && x->struck[0] == w->state.t) return;
+    for (int i = PM_SERIES_BLOWS - 1; i > 0; i--) x->struck[i] = x->struck[i - 1];
     x->struck[0] = w->state.t;
-    x->known += x->known < 4;
+    x->known += x->known < PM_SERIES_BLOWS;
+    x->ends = 0;
+    if (x->over == INFINITY) x->over = -INFINITY;
+    const int near = find_near(w, contact);
+    count_own(w, near, contact);
+    if (!(x->over > w->state.t)) look_for_turns(w, near, contact);
 }
+
+int pm_bounce_series_is_settled(const pm_workspace *w, int contact)
+{
+    return w->event->series[contact].ratio > 0;
+}
+
+int pm_bounce_series_is_of_several(const pm_workspace *w, int contact)
+{
+    return pm_bounce_series_is_settled(w, contact) && w->event->series[contact].several;
+}
+
+int pm_bounce_series_share(const pm_workspace *w, int contact, int other)
+{
+    const pm_bounce_series *x = &w->event->series[contact], *y = &w->event->series[other];
+    return x->ratio > 0 && y->ratio == x->ratio && y->told == x->told;
+}
+
+/* ---- one that bounces alone ---- */
+static double own_flight(const pm_bounce_series *x, int i) { return x->struck[i] - x->struck[i + 1]; }
+
+/* How far the ratios of its last flights are apart. */
+static double off(const pm_bounce_series *x)
+{
+    return fabs(own_flight(x, 0) / own_flight(x, 1) - own_flight(x, 1) / own_flight(x, 2));
+}
+
+/* Its flights hardly shrink, and not by a ratio that is known. */
+int pm_bounce_series_is_endless(const pm_workspace *w, int contact)
+{
+    const pm_bounce_series *x = &w->event->series[contact];
+    if (x->own < 3 || x->ratio > 0) return 0;
+    const double e = pm_contact_restitution(&w->frame, contact);
+    return own_flight(x, 1) - own_flight(x, 0) < PM_SERIES_SHRINKS * (1 - e) * own_flight(x, 1);
+}
+
+static double sum(double flight, double ratio) { return flight * ratio / (1 - ratio); }
+
+/* The time that its flights to come take, and what is not known of it.  Where the ratio has not settled it is on its way to e;
+ * of one flight alone nothing tells the ratio. */
+static double left_alone(const pm_workspace *w, int contact, double *unknown)
+{
+    const pm_bounce_series *x = &w->event->series[contact];
+    const double e = pm_contact_restitution(&w->frame, contact);
+    *unknown = 0;
+    if (x->own < 2) return 0;
+    const double last = own_flight(x, 0);
+    if (x->ratio > 0) {
+        *unknown = x->own < 4 ? 0 : last * off(x) / ((1 - x->ratio) * (1 - x->ratio));
+        return sum(last, x->ratio);
+    }
+    const double longest = x->own > 2 ? sum(last, fmax(e, last / own_flight(x, 1))) : sum(last, e) + last;
+    *unknown = longest - sum(last, e);
+    return longest;
+}
+
+/* A coarse run shows what is not known. */
+static double end_alone(const pm_workspace *w, int contact)
+{
+    double unknown;
+    const double left = left_alone(w, contact, &unknown);
+    const double time = left + (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER * unknown : 0);
+    if (pm_bounce_series_is_endless(w, contact)) return INFINITY;
+    return time > 0 ? w->state.t + time : -INFINITY;
+}
+
+/* ---- its end ---- */
+void pm_bounce_series_hold(const pm_workspace *w, int contact) { w->event->series[contact].ends = 1; }
 
 static int is_closed(const pm_workspace *w, int contact)
 {
@@ -65,66 +272,29 @@ static int is_closed(const pm_workspace *w, int contact)
     return 0;
 }
 
-static double flight(const pm_bounce_series *x, int i) { return x->struck[i] - x->struck[i + 1]; }
-
-/* How far the ratios of its last flights are apart. */
-static double off(const pm_bounce_series *x)
-{
-    return fabs(flight(x, 0) / flight(x, 1) - flight(x, 1) / flight(x, 2));
-}
-
-/* The ratio of its last flights, if those before had the same; 0 if not. */
-static double ratio_of(const pm_bounce_series *x)
-{
-    if (x->known < 4) return 0;
-    const double ratio = flight(x, 0) / flight(x, 1);
-    return ratio < 1 - PM_SERIES_SETTLED && off(x) < PM_SERIES_SETTLED * ratio * (1 - ratio) ? ratio : 0;
-}
-
-/* Its flights hardly shrink, and not by a ratio that is known. */
-int pm_bounce_series_is_endless(const pm_workspace *w, int contact)
+/* Of all that share the order: they have been closed together, and each would be struck without end. */
+static void cut(pm_workspace *w, int contact)
 {
     const pm_bounce_series *x = &w->event->series[contact];
-    if (x->known < 3 || ratio_of(x) > 0) return 0;
-    const double e = pm_contact_restitution(&w->frame, contact);
-    return flight(x, 1) - flight(x, 0) < PM_SERIES_SHRINKS * (1 - e) * flight(x, 1);
-}
-
-int pm_bounce_series_is_settled(const pm_workspace *w, int contact)
-{
-    return ratio_of(&w->event->series[contact]) > 0;
-}
-
-static double sum(double flight, double ratio) { return flight * ratio / (1 - ratio); }
-
-/* The time that the flights to come take, and what is not known of it.  Where the ratio has not settled it is on its way to e;
- * of one flight alone nothing tells the ratio. */
-static double left(const pm_workspace *w, int contact, double *unknown)
-{
-    const pm_bounce_series *x = &w->event->series[contact];
-    const double e = pm_contact_restitution(&w->frame, contact), settled = ratio_of(x);
-    *unknown = 0;
-    if (x->known < 2) return 0;
-    const double last = flight(x, 0);
-    if (settled > 0) {
-        *unknown = last * off(x) / ((1 - settled) * (1 - settled));
-        return sum(last, settled);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
+        if (!pm_bounce_series_share(w, contact, i)) continue;
+        w->event->series[i].over = x->told + x->left;
+        pm_trigger_lose_strikes(w, i, PM_COUNTLESS);
     }
-    const double longest = x->known > 2 ? sum(last, fmax(e, last / flight(x, 1))) : sum(last, e) + last;
-    *unknown = longest - sum(last, e);
-    return longest;
 }
 
-/* A coarse run shows what is not known. */
-void pm_bounce_series_cut(const pm_workspace *w)
+void pm_bounce_series_cut(pm_workspace *w)
 {
     const int waits = PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
     for (int i = 0; waits && i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         pm_bounce_series *x = &w->event->series[i];
-        double unknown;
-        if (x->known == 0 || x->struck[0] != w->state.t || !is_closed(w, i)) continue;
-        const double time = left(w, i, &unknown) + (w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER * unknown : 0);
-        x->over = pm_bounce_series_is_endless(w, i) ? INFINITY : time > 0 ? w->state.t + time : -INFINITY;
+        if (!x->ends || x->struck[0] != w->state.t || !is_closed(w, i)) continue;
+        if (x->ratio > 0 && x->several && x->told == w->state.t)
+            cut(w, i);
+        else if (x->own > 1)
+            x->over = end_alone(w, i);
+        else if (x->ratio == 0 && x->expected > w->state.t)
+            x->over = x->expected;
     }
 }
 
@@ -146,6 +316,7 @@ int pm_bounce_series_end(pm_workspace *w)
         if (x->over == -INFINITY || x->over > w->state.t) continue;
         w->firing.jumped = x->over; /* by its last bounce */
         x->over = -INFINITY;
+        x->ratio = x->known = x->own = 0;
         any = 1;
     }
     return any;
@@ -170,7 +341,8 @@ int pm_bounce_series_check(pm_workspace *w)
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_bounce_series *x = &w->event->series[i];
         if (is_going_on(w, i))
-            return pm_fail(&w->result, PM_BOUNCES_ON, PM_TABLE_CONTACT, i, flight(x, 0), flight(x, 1));
+            return pm_fail(&w->result, PM_BOUNCES_ON, PM_TABLE_CONTACT, i, own_flight(x, 0),
+                           own_flight(x, 1));
     }
     return PM_OK;
 }

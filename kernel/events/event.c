@@ -58,6 +58,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->came, ntrigger),
         PM_ARRAY(e->spent, ncontact),
         PM_ARRAY(e->series, ncontact),
+        PM_ARRAY(e->near, ncontact),
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
         PM_ARRAY(e->culling.moved, m->nbody + 1),

@@ -66,10 +66,18 @@ typedef struct pm_event_function {
 } pm_event_function;
 
 /* The last blows of a contact (events/bounce_series.h). */
+#define PM_SERIES_BLOWS 18 /* two turns of the longest order that is looked for, and one blow before them */
 typedef struct pm_bounce_series {
-    int known;        /* of these times, at most 4 */
-    double struck[4]; /* s, the latest first */
-    double over;      /* s: it bounces until then; -INFINITY: it does not */
+    int known;                      /* of these times */
+    double struck[PM_SERIES_BLOWS]; /* s, the latest first */
+    double ratio;                   /* of the flights of one turn to those of the one before; 0: not known */
+    int several;                    /* others have their part in the turn */
+    double told;                    /* s: the blow that told it */
+    double left;                    /* s: sum of the flights that come after that blow */
+    double expected; /* s: the end of a series whose ratio has only nearly settled; -INFINITY: not known */
+    int own;  /* its last blows one after the other, with none at another contact of its bodies: at most 4 */
+    int ends; /* its last blow was held: it is one of those that are not followed */
+    double over; /* s: it bounces until then; -INFINITY: it does not */
 } pm_bounce_series;
 
 typedef struct pm_event_set {
@@ -90,6 +98,7 @@ typedef struct pm_event_set {
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
     pm_bounce_series *series; /* [ncontact] */
+    int *near;                /* [ncontact] those that share a body with one that is struck */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     double *last;         /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
     double *came;         /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */

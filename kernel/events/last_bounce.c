@@ -4,7 +4,8 @@
  * squared, h = v^2 / 2g: it is lost in the rounding of positions, which goes by how far the scene reaches, while v is far
  * from rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better.
  * Bodies on several contacts rock from one to the other in the same way, without any restitution: what would part so slowly
- * because another contact has been struck is held. */
+ * because another contact has been struck is held.  Where several are struck in an order that comes again, the last blow of
+ * one is the last of all: none of them is further off than rounding shows. */
 #include "events/last_bounce.h"
 
 #include <math.h>
@@ -41,14 +42,18 @@ static double last_speed(const pm_workspace *w, int contact)
     return cut_speed(w, fmax(lost(w, PM_LAST_BOUNCE), fmax(least, top)));
 }
 
-static double spent_speed(const pm_workspace *w)
+/* Likewise what parts after a blow at another contact. */
+static double spent_speed(const pm_workspace *w, int contact)
 {
-    return cut_speed(w, fmax(lost(w, PM_BOUNCE_SPENT), lowest_top(w)));
+    const double spent = cut_speed(w, fmax(lost(w, PM_BOUNCE_SPENT), lowest_top(w)));
+    return pm_bounce_series_is_settled(w, contact) ? fmax(spent, last_speed(w, contact)) : spent;
 }
 
+/* A route resolves the bounces of a contact that is struck alone. */
 static int is_resolved(const pm_workspace *w, int contact)
 {
-    return w->phase.route->resolves && w->phase.route->resolves(w, contact);
+    return w->phase.route->resolves && w->phase.route->resolves(w, contact) &&
+           !pm_bounce_series_is_of_several(w, contact);
 }
 
 double pm_last_bounce_restitution(const pm_workspace *w, int contact, double approach)
@@ -62,14 +67,24 @@ int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)
     return !is_resolved(w, contact) && fabs(rate) <= PM_BOUNCE_UNKNOWN * last_speed(w, contact);
 }
 
-int pm_last_bounce_is_slow(const pm_workspace *w, double approach) { return approach <= spent_speed(w); }
+int pm_last_bounce_is_slow(const pm_workspace *w, int contact, double approach)
+{
+    return approach <= spent_speed(w, contact);
+}
+
+int pm_last_bounce_ends_others(const pm_workspace *w, int contact, double approach)
+{
+    return pm_bounce_series_is_settled(w, contact) && !is_resolved(w, contact) &&
+           pm_last_bounce_is_slow(w, contact, approach);
+}
 
 int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate)
 {
-    return rate > pm_contact_speed(&w->frame) && pm_last_bounce_is_slow(w, rate) && !is_resolved(w, contact);
+    return rate > pm_contact_speed(&w->frame) && pm_last_bounce_is_slow(w, contact, rate) &&
+           !is_resolved(w, contact);
 }
 
 int pm_last_bounce_is_spent(const pm_workspace *w, int contact, double rate)
 {
-    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) && rate <= spent_speed(w);
+    return w->event->spent[contact] && rate > pm_contact_speed(&w->frame) && rate <= spent_speed(w, contact);
 }

@@ -9,8 +9,10 @@ double pm_last_bounce_restitution(const pm_workspace *w, int contact, double app
 /* 1 if a contact that touches at `rate` of its gap, m/s, is so near to its last rebound that the number of blows that are
  * left is not known, and decides nothing. */
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate);
-/* 1 if a blow with this speed of approach, m/s, is one of the last of a series. */
-int pm_last_bounce_is_slow(const pm_workspace *w, double approach);
+/* 1 if a blow of the contact with this speed of approach, m/s, is one of the last of a series. */
+int pm_last_bounce_is_slow(const pm_workspace *w, int contact, double approach);
+/* 1 if with it the blows of all contacts end that share the order of its series (bounce_series.h). */
+int pm_last_bounce_ends_others(const pm_workspace *w, int contact, double approach);
 /* 1 if a closed contact that so slow a blow lets part at `rate`, m/s, would not part by more than rounding shows: it is
  * held. */
 int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate);

@@ -23,6 +23,7 @@
 #include "elements/trigger.h"
 #include "equations/ledger.h"
 #include "events/bounce_series.h"
+#include "events/event.h"
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
@@ -103,12 +104,10 @@ static int is_blow(const pm_model *model, int contact, const pm_touch *x)
 /* Closes the open members that touch and do not part: what approaches is struck (its slot is marked PM_STRUCK; one by one
  * the first alone), and what is caught with any velocity; what is still rests, so that it can join the blow; at the start
  * nothing is closed yet. */
-static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
+static int find_touching(pm_workspace *w, pm_blow *b, int *struck)
 {
     const pm_model *m = w->model;
     pm_touch x;
-    *struck = 0;
-    b->approach = b->ends_bounce = 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         for (int n = 0; n < pm_contact_slots(m, i) && touches(w, i, &x) && (x.rests || x.stays); n++) {
             int slot;
@@ -128,6 +127,27 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
             ++*struck;
         }
     return PM_OK;
+}
+
+/* The last blow of an order that is known: what shares the order is over, too.  1 if there is any. */
+static int end_order(const pm_workspace *w, const pm_blow *b)
+{
+    int any = 0;
+    for (int i = 0; i < w->model->nslot && !pm_impact_one_by_one(w->model); i++) {
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (b->share[i] != PM_STRUCK || !pm_last_bounce_ends_others(w, contact, b->approach)) continue;
+        for (int other = 0; other < w->model->rows[PM_TABLE_CONTACT]; other++)
+            if (pm_bounce_series_share(w, contact, other)) any = w->event->spent[other] = 1;
+    }
+    return any;
+}
+
+static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
+{
+    *struck = 0;
+    b->approach = b->ends_bounce = 0;
+    const int status = find_touching(w, b, struck);
+    return status || !end_order(w, b) ? status : find_touching(w, b, struck);
 }
 
 /* ---- blows ---- */
@@ -161,7 +181,7 @@ static int find_blow(pm_workspace *w, pm_blow *b)
 /* The last of a series of ever smaller blows, by how slow it is: in another pass it may have been followed by more. */
 static int ends_series(const pm_workspace *w, const pm_blow *b)
 {
-    if (pm_last_bounce_is_slow(w, b->approach)) return 1;
+    if (pm_impact_is_slow(w, b)) return 1;
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i);
         if (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0 &&

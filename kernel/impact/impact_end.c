@@ -139,6 +139,7 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
                                     pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);
             pm_evidence_part(&w->evidence, contact);
             pm_evidence_cut(&w->evidence);
+            pm_bounce_series_hold(w, contact);
             series_ends = 1;
         }
         if (b->share[i] == PM_STRUCK && w->state.slot[i].mode == PM_STICK && slid(w, i, b->before))

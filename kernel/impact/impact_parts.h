@@ -87,6 +87,8 @@ void pm_impact_respond_free(pm_workspace *w, pm_contact_system *x);
 void pm_impact_pose(pm_workspace *w, pm_blow *b);
 /* What the problem says where it has `n` motions, not one; `at`: the listed contact that it is said of. */
 int pm_impact_fail(pm_workspace *w, const pm_contact_system *x, int n, int at);
+/* 1 if it is one of the last of a series. */
+int pm_impact_is_slow(const pm_workspace *w, const pm_blow *b);
 /* A blow so slow that nothing could be seen of how its contacts part: all of them are held; *holds: whether it is one. */
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds);
 /* The blow that was found and recorded would gain energy: it is mixed with the one without restitution until it does not,

@@ -257,6 +257,14 @@ static int one_rocks(const pm_workspace *w, const pm_blow *b)
     return parts && closed > 1;
 }
 
+int pm_impact_is_slow(const pm_workspace *w, const pm_blow *b)
+{
+    for (int i = 0; i < w->model->nslot; i++)
+        if (b->share[i] == PM_STRUCK || b->share[i] == PM_DROPPED)
+            if (pm_last_bounce_is_slow(w, pm_contact_of_slot(w->model, i), b->approach)) return 1;
+    return 0;
+}
+
 /* The mode in which a contact is held: what slips faster than the blow is goes on slipping. */
 static int held_mode(const pm_workspace *w, const pm_blow *b, int slot)
 {
@@ -269,7 +277,7 @@ static int held_mode(const pm_workspace *w, const pm_blow *b, int slot)
 
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
 {
-    *holds = pm_last_bounce_is_slow(w, b->approach) && one_rocks(w, b);
+    *holds = pm_impact_is_slow(w, b) && one_rocks(w, b);
     if (!*holds) return PM_OK;
     for (int i = 0; i < w->model->nslot; i++) {
         if (!is_closed_in(b, i)) continue;

@@ -350,6 +350,18 @@ FAULTS = [
         "return 0 * flight * ratio;",
     ),
     Fault(
+        "series: the order of its blows is not looked at",
+        "events/bounce_series.c",
+        "while (ratio == 0 && 2 * ++k + 2 <= x.n)",
+        "while (ratio == 0 && 2 * ++k + 2 <= x.n && k < 2)",
+    ),
+    Fault(
+        "series: others of its order go on alone",
+        "events/bounce_series.c",
+        "if (pm_bounce_series_share(w, contact, i))",
+        "if (i < 0)",
+    ),
+    Fault(
         "series: a body in its last bounces rests",
         "events/bounce_series.c",
         "if (is_going_on(w, i) && (body",
@@ -562,13 +574,13 @@ FAULTS = [
     Fault(
         "jump: rocking goes on where its top touches",
         "events/last_bounce.c",
-        "return cut_speed(w, fmax(lost(w, PM_BOUNCE_SPENT), lowest_top(w)));",
-        "return cut_speed(w, lost(w, PM_BOUNCE_SPENT));",
+        "cut_speed(w, fmax(lost(w, PM_BOUNCE_SPENT), lowest_top(w)));",
+        "cut_speed(w, lost(w, PM_BOUNCE_SPENT));",
     ),
     Fault(
         "series: flights that do not shrink come to an end",
         "events/bounce_series.c",
-        "if (x->known < 3 || ratio_of(x) > 0) return 0;",
+        "if (x->own < 3 || x->ratio > 0) return 0;",
         "return 0;",
     ),
     Fault(

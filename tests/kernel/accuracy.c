@@ -383,22 +383,13 @@ static scene *resting(int route, double e, double accuracy, int feet)
 
 /* It rests at sqrt(2 h / g) (1 + e) / (1 - e), after blows without number.  Those that are too small to be followed take
  * their time all the same. */
-static void series_cut_off(int route, double e, double accuracy)
+static void series_cut_off(int route, double e, double accuracy, int feet)
 {
-    scene *s = resting(route, e, accuracy, 1);
+    scene *s = resting(route, e, accuracy, feet);
     const double wrong = fabs(s->out[0] - sqrt(2 / G) * (1 + e) / (1 - e));
     CHECK(wrong < (route == PM_ROUTE_RK ? 1e-11 : s->error[0]) && wrong < 10 * s->error[0]);
     CHECK(isinf(s->out[1]));
     CHECK(s->trust[PM_TRUST_MARGIN] > 100);
-    scene_free(s);
-}
-
-/* Several contacts of a body at once have no series that is known: what the cut loses is told. */
-static void several_cut_off(int route, double e)
-{
-    scene *s = resting(route, e, 1e-8, 2);
-    const double wrong = fabs(s->out[0] - sqrt(2 / G) * (1 + e) / (1 - e));
-    CHECK(wrong > 1e-9 && wrong < s->error[0] && s->error[0] < 20 * wrong);
     scene_free(s);
 }
 
@@ -437,9 +428,9 @@ int main(void)
     counted_to_the_end();
     for (int route = PM_ROUTE_RK; route <= PM_ROUTE_IDA; route++)
         for (int i = 0; i < 3; i++) {
-            series_cut_off(route, 0.3 + 0.3 * i, 1e-6);
-            series_cut_off(route, 0.3 + 0.3 * i, 1e-8);
-            several_cut_off(route, 0.3 + 0.3 * i);
+            series_cut_off(route, 0.3 + 0.3 * i, 1e-6, 1 + i % 2);
+            series_cut_off(route, 0.3 + 0.3 * i, 1e-8, 1);
+            series_cut_off(route, 0.3 + 0.3 * i, 1e-8, 2);
         }
     for (int i = 4; i < 10; i++) decided_after_a_series(pow(10, -i));
     return check_failures();
