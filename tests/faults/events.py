@@ -358,8 +358,8 @@ FAULTS = [
     Fault(
         "series: others of its order go on alone",
         "events/bounce_series.c",
-        "if (pm_bounce_series_share(w, contact, i))",
-        "if (i < 0)",
+        "if (!pm_bounce_series_share(w, contact, i)) continue;",
+        "if (i != contact) continue;",
     ),
     Fault(
         "series: a body in its last bounces rests",
