@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
 import math
-import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -236,14 +234,6 @@ def test_names_keep_apart_and_inside(stem: str, kind: str) -> None:
             width = min(box.x1, beside.x1) - max(box.x0, beside.x0)
             height = min(box.y1, beside.y1) - max(box.y0, beside.y0)
             assert width <= SLIVER or height <= SLIVER, (text, other)
-
-
-def test_the_example_of_scene_draw_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The line of its docstring, as it stands there."""
-    monkeypatch.chdir(tmp_path)
-    (line,) = re.findall(r"^ {12}(scene\.draw\(.+)$", inspect.getsource(Scene.draw), re.MULTILINE)
-    exec(line, {"scene": planemotion.load_text(BLOW)})
-    assert (tmp_path / "strike.svg").read_text(encoding="utf-8").startswith("<?xml")
 
 
 def test_a_picture_in_python() -> None:

@@ -43,7 +43,7 @@ COUPLING_QUANTITIES = {quantity for kind in KINDS["couplings"].values() for quan
 WORDS: Mapping[str, Mapping[str, set[str]]] = {
     "tables": {
         **{model.__name__: set(model.file_keys()) - _inherited(model) for model in TABLES},
-        "Sweep": {"zip", "design"},  # beside it stand parameters
+        "Sweep": {"zip", "design", "refine"},  # beside it stand parameters
     },
     "kinds": {
         kind.word: {kind.word, *kind.options()} - set(Element.model_fields)
