@@ -246,7 +246,7 @@
 #define PM_LOWEST_TOP 5e-5 /* of the scene's speed: bounces of slower rebounds touch at their top (PM_TOUCHING); larger: series are cut off earlier */
 #define PM_BOUNCE_SETTLED 1e-5 /* of the scene's speed: slower rebounds of a series whose end is known are not computed; larger: loses more by the square, smaller: flights show more rounding */
 #define PM_SERIES_SETTLED 1e-3 /* of the ratio of flights: it is that of the flights to come; larger: series end at a wrong time, smaller: those that rock end early */
-#define PM_SERIES_SHRINKS 0.5 /* of what the speeds shrink by: flights that shrink less have no end that is known; larger: series that end are doubted, smaller: some are called over that go on */
+#define PM_SERIES_SHRINKS 0.1 /* of what the speeds shrink by: flights that shrink less have no end that is known; larger: series that end are doubted, smaller: some are called over that go on */
 #define PM_SERIES_NEARLY 0.5 /* likewise where several are struck in turn until they touch; larger: ends are guessed, smaller: they come early */
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
