@@ -153,7 +153,10 @@ static int account(pm_workspace *w)
     pm_saddle_evaluate(&w->active, &w->frame);
     const int status = pm_projection_velocity(w, &w->state);
     if (status) return status;
-    pm_ledger_jump(w, w->instant.velocity);
+    const int asymmetric = w->active.asymmetric;
+    w->active.asymmetric = 0; /* the projection is along the constraints: no friction rides on it */
+    if (memcmp(w->state.v, w->instant.velocity, velocities) != 0) pm_ledger_jump(w, w->instant.velocity);
+    w->active.asymmetric = asymmetric;
     w->impulses.energy_lost = lost;
     return accelerate(w);
 }
