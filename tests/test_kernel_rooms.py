@@ -122,6 +122,12 @@ def homeless(kernel: Path, plan: House) -> list[str]:
     ]
 
 
+def named(readme: str) -> set[str]:
+    """The files that the table or list of a room's README names, without their endings."""
+    heads = re.findall(r"^(?:\| (`.*?`) \||- (`.*?`):)", readme, re.MULTILINE)
+    return {name.partition(".")[0] for head in heads for name in re.findall(r"`(.*?)`", "".join(head))}
+
+
 def upward(kernel: Path, plan: House) -> list[str]:
     """Uses of a later room by an earlier one, one for each pair of files and name."""
     found: dict[str, int] = {}
@@ -185,6 +191,12 @@ def test_every_room_says_what_it_is() -> None:
     for room in house().rooms:
         said = (KERNEL / room / "README.md").read_text(encoding="utf-8")
         assert len(re.findall(r"\.\s", said)) >= 3, room
+
+
+def test_a_room_names_all_its_files_and_no_other() -> None:
+    for room in house().rooms:
+        there = {path.stem for path in (KERNEL / room).glob("*.[ch]")}
+        assert named((KERNEL / room / "README.md").read_text(encoding="utf-8")) == there, room
 
 
 def test_nothing_uses_a_later_room() -> None:
@@ -264,6 +276,14 @@ def test_a_table_of_a_later_room_is_found(tmp_path: Path) -> None:
 
 def test_a_file_without_a_room_is_found(tmp_path: Path) -> None:
     assert homeless(built(tmp_path, shed_c="", mid__door_h=""), PLAN) == ["mid/door.h", "shed.c"]
+
+
+def test_the_files_of_a_table_and_of_a_list_are_read() -> None:
+    assert named("Uses `sand`.\n| `stone`, `lime.h` | of `clay` |\n- `wall.c`: of `roof`\n") == {
+        "stone",
+        "lime",
+        "wall",
+    }
 
 
 def test_circles_are_found_in_one_room_and_through_several(tmp_path: Path) -> None:
