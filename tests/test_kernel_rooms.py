@@ -29,6 +29,12 @@ FUNCTION = re.compile(
 TABLE = re.compile(r"^(?!static\b|typedef\b|extern\b)(?:const )?\w[\w ]*\b(pm_\w+)(?:\[[^\]]*\])*\s*=", re.M)
 # A whole function, static or not; a struct and its members.
 BODY = re.compile(r"^[A-Za-z_][^\n;#]*?\b(?P<name>\w+)\([^;{}]*\)\n\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
+# A small number, as one that decides what is nothing; a named number in a header of tolerances, and its text.
+SMALL = re.compile(r"(?<![\w.])[\d.]+[eE]-\d+")
+TOLERANCE = re.compile(r"^#define (PM_\w+)[ \\\n]+[^\s/]+[^/\n]*?(?:/\*(.*?)\*/)?$", re.MULTILINE)
+EFFECT = re.compile(r"\b(more|larger|longer|less|fewer|likewise|the same|as above)\b")
+# Coefficients of formulas, which decide nothing.
+FORMULAS = {"routes/rk/dop853"}
 STRUCT = re.compile(r"^(?:typedef )?struct (?P<name>\w+) \{(?P<members>.*?)^\}", re.MULTILINE | re.DOTALL)
 
 
@@ -128,6 +134,26 @@ def named(readme: str) -> set[str]:
     return {name.partition(".")[0] for head in heads for name in re.findall(r"`(.*?)`", "".join(head))}
 
 
+def bare_numbers(kernel: Path) -> list[str]:
+    """Small numbers that stand where they are used, and not in the headers of tolerances."""
+    return [
+        f"{unit(kernel, path)}: {m[0]} (line {_line(text, m)})"
+        for path, text in sources(kernel).items()
+        if not path.stem.startswith("tolerances") and unit(kernel, path) not in FORMULAS
+        for m in SMALL.finditer(text)
+    ]
+
+
+def silent_tolerances(kernel: Path) -> list[str]:
+    """Names of the headers of tolerances that do not say what another value would do."""
+    found = []
+    for path in sorted((kernel / "numerics").glob("tolerances*.h")):
+        for name, said in TOLERANCE.findall(path.read_text(encoding="utf-8")):
+            if not name.endswith("_H") and not EFFECT.search(said):
+                found.append(name)
+    return found
+
+
 def upward(kernel: Path, plan: House) -> list[str]:
     """Uses of a later room by an earlier one, one for each pair of files and name."""
     found: dict[str, int] = {}
@@ -223,6 +249,20 @@ def test_no_struct_is_too_large() -> None:
     assert {name: n for name, n in structs(KERNEL).items() if n > most} == {}
 
 
+def test_small_numbers_stand_in_the_headers_of_tolerances() -> None:
+    assert bare_numbers(KERNEL) == []
+
+
+def test_every_tolerance_says_what_another_value_would_do() -> None:
+    names = [
+        name
+        for path in sorted((KERNEL / "numerics").glob("tolerances*.h"))
+        for name in TOLERANCE.findall(path.read_text("utf-8"))
+    ]
+    assert len(names) > 400
+    assert silent_tolerances(KERNEL) == []
+
+
 # ---- the check itself -----------------------------------------------------------------------------------
 
 PLAN = House(("low", "mid/left", "high"), 2, 400, 60, 40)
@@ -284,6 +324,17 @@ def test_the_files_of_a_table_and_of_a_list_are_read() -> None:
         "lime",
         "wall",
     }
+
+
+def test_a_bare_number_and_a_silent_tolerance_are_found(tmp_path: Path) -> None:
+    kernel = built(
+        tmp_path,
+        low__stone_c="int pm_stone(double x)\n{\n    return x < 1.5e-9 * pm_size1e;\n}",
+        numerics__tolerances_h="#define PM_A 1e-9 /* m: none; larger: blind */\n"
+        "#define PM_B 2\n#define PM_C \\\n    3 /* m */\n",
+    )
+    assert bare_numbers(kernel) == ["low/stone: 1.5e-9 (line 3)"]
+    assert silent_tolerances(kernel) == ["PM_B", "PM_C"]
 
 
 def test_circles_are_found_in_one_room_and_through_several(tmp_path: Path) -> None:

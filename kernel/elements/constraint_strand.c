@@ -17,8 +17,6 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define TWO_PI 6.283185307179586476925286766559
-
 typedef struct pm_strand {
     double u[2], n[2], length, direction; /* in (-pi, pi] */
 } pm_strand;
@@ -39,7 +37,7 @@ static pm_strand strand_of(const pm_constraint *c, const double d[2])
 
 static double unwrapped(double direction, double reference)
 {
-    return direction + TWO_PI * round((reference - direction) / TWO_PI);
+    return direction + 2 * M_PI * round((reference - direction) / (2 * M_PI));
 }
 
 /* The slack but for the anchor. */

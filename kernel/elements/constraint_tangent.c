@@ -11,8 +11,6 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-#define TWO_PI 6.283185307179586476925286766559
-
 static double rolled(const pm_frame *frame, const pm_constraint *c, const double d[2])
 {
     const double *pose = frame->pose;
@@ -22,7 +20,7 @@ static double rolled(const pm_frame *frame, const pm_constraint *c, const double
 
 static double unwrapped(const pm_constraint *constraint, double c)
 {
-    const double rotation = TWO_PI * constraint->value;
+    const double rotation = 2 * M_PI * constraint->value;
     return c - rotation * round(c / rotation);
 }
 

@@ -32,8 +32,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define FEW 6 /* bodies of a set at most */
-enum { WIDE = 3 * FEW };
+enum { WIDE = 3 * PM_FIXED_SET };
 
 /* ---- what must move, and what is asked ---- */
 /* All bodies that a row of a table refers to move. */
@@ -111,7 +110,7 @@ static int list_constraints(pm_workspace *w)
 
 /* Bodies that are tried together, and the constraints that hold them so far. */
 typedef struct pm_group {
-    int body[FEW], n;
+    int body[PM_FIXED_SET], n;
     int freedom, rank;
     double basis[WIDE][WIDE];
     int range[WIDE][2];
@@ -206,7 +205,7 @@ static int try_all(pm_workspace *w, int body)
         for (int at = x->first[g.body[i]]; at != PM_NONE; at = x->next[at]) {
             const int other = w->active.constraint[at / 2].body[1 - at % 2];
             if (w->numbers.fixed[other] || place_in(&g, other) != PM_NONE) continue;
-            if (must_move(x, other) || g.n == FEW) return 0;
+            if (must_move(x, other) || g.n == PM_FIXED_SET) return 0;
             join(w->model, &g, other);
         }
     return holds(w, &g);

@@ -42,10 +42,7 @@ static int project(pm_workspace *w, pm_state *s, int evaluated)
         if ((sweep > 0 || !evaluated) && !pm_solve_cache_take_constraints(w))
             pm_saddle_evaluate(&w->active, &w->frame);
         const double worst = pm_constraint_openings(w->active.constraint, w->active.n, NULL, w->saddle.rhs);
-        /* at the rounding of large coordinates Newton stalls: stop when it no longer gains */
-        if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
-            (sweep > 1 && worst > 0.5 * before))
-            break;
+        if (pm_projection_ends(&w->numbers, sweep, worst, before)) break;
         before = worst;
         const int status = move_symmetric(w, s->q);
         if (status) return status;

@@ -2,7 +2,15 @@
 #ifndef PM_PROJECTION_H
 #define PM_PROJECTION_H
 
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
+
+/* Newton's sweeps back onto constraints end: they are met, or rounding keeps sweeps from gaining.  Residuals now and before, m. */
+static inline int pm_projection_ends(const pm_numbers *numbers, int sweep, double worst, double before)
+{
+    return worst <= PM_MET * numbers->size || sweep == PM_PROJECTION_SWEEPS ||
+           (sweep > 1 && worst > PM_GAIN * before);
+}
 
 /* Projects the state; on return the frame looks at it (KINEMATIC, constraints evaluated). */
 int pm_projection_apply(pm_workspace *w, pm_state *s);

@@ -363,7 +363,7 @@ static int friction_is_found(pm_workspace *w, double *change)
     const double before = *change;
     if (!pm_joint_friction_by_load(&w->frame, &w->state)) return 1;
     *change = pm_joint_friction_update(w);
-    return *change <= PM_FRICTION_SAME || (*change <= PM_FRICTION_ROUNDING && *change > 0.5 * before);
+    return *change <= PM_FRICTION_SAME || (*change <= PM_FRICTION_ROUNDING && *change > PM_GAIN * before);
 }
 
 static int accelerate_from(pm_workspace *w, int evaluated)

@@ -106,7 +106,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
     for (int sweep = 0; sweep < PM_ASSEMBLY_SWEEPS; sweep++) {
         pm_active_set_find_feet(&w->frame, &w->state);
         report->opening = worst_opening(w, &table, &row);
-        const int gains = report->opening < 0.5 * best;
+        const int gains = report->opening < PM_GAIN * best;
         if (!(report->opening > PM_ASSEMBLED * w->numbers.size) || (report->opening <= allowed && !gains))
             break;
         best = fmin(best, report->opening);

@@ -6,6 +6,7 @@
 
 #include "expression/enclosure.h"
 #include "expression/operation.h"
+#include "numerics/tolerances.h"
 
 #define SUM pm_interval_sum
 #define LESS pm_interval_difference
@@ -24,7 +25,7 @@ static pm_slopes of_arc(pm_interval a, int is_sine)
                                   : pm_interval_negative(pm_interval_rising(asin, a, -1, 1));
     const pm_interval left = LESS(one, pm_interval_square(a)), sign = pm_interval_of(is_sine ? 1 : -1);
     const pm_interval first = left.lo > 0 ? OVER(sign, pm_interval_power(left, 0.5)) : PM_INTERVAL_ALL;
-    const pm_interval quarter = pm_interval_of(0.5 * 3.14159265358979323846);
+    const pm_interval quarter = pm_interval_of(0.5 * M_PI);
     return (pm_slopes){is_sine ? f : SUM(quarter, f), first, OVER(TIMES(a, first), left)};
 }
 
@@ -111,17 +112,14 @@ static pm_slopes of_size(const pm_jet *a)
     return (pm_slopes){pm_interval_size_of(a->value), first, zero};
 }
 
-/* Beyond this exponent it is taken as constant, so that what it divides keeps bounds: 1 / (e^x + e^-x) is nothing there. */
-#define EXPONENT_MOST 150.0
-
-static double exponential(double x) { return exp(x > EXPONENT_MOST ? EXPONENT_MOST : x); }
+static double exponential(double x) { return exp(x > PM_EXPONENT_MOST ? PM_EXPONENT_MOST : x); }
 
 static pm_slopes of_exponential(pm_interval x)
 {
     const pm_interval f = pm_interval_rising(exponential, x, -INFINITY, INFINITY);
-    const pm_interval slope = x.hi <= EXPONENT_MOST   ? f
-                              : x.lo >= EXPONENT_MOST ? zero
-                                                      : pm_interval_hull(zero, f);
+    const pm_interval slope = x.hi <= PM_EXPONENT_MOST   ? f
+                              : x.lo >= PM_EXPONENT_MOST ? zero
+                                                         : pm_interval_hull(zero, f);
     return (pm_slopes){f, slope, slope};
 }
 
@@ -157,7 +155,7 @@ static pm_slopes slopes(int op, const pm_jet *a)
 /* ---- where there is no number ---- */
 static int beyond(pm_interval a, double from, double to)
 {
-    const double rounding = 1e-15 * fmin(fabs(from), fabs(to));
+    const double rounding = PM_INTERVAL_ROUNDING * fmin(fabs(from), fabs(to));
     if (a.hi < from - rounding || a.lo > to + rounding) return PM_GAPS_EVERYWHERE;
     return a.lo < from - rounding || a.hi > to + rounding ? PM_GAPS_SOMEWHERE : PM_GAPS_NONE;
 }

@@ -13,8 +13,6 @@
 
 #include "numerics/tolerances.h"
 
-#define POLISH 6 /* exact values taken to polish a root: the secant method needs three */
-
 typedef struct pm_bracket_call {
     pm_along *f;
     void *of, *context;
@@ -68,7 +66,7 @@ int pm_bracket_newton(pm_sloped *f, void *of, void *context, double a, double fa
         const double shift = -value / slope, inside = (x + shift - low) * (high - x - shift);
         const double nothing = fmax(PM_EPSILON * fabs(x), PM_BRACKET_NOTHING * fabs(b - a));
         if (fabs(shift) <= nothing) return PM_SEARCH_FOUND;
-        const int gains = inside > 0 && fabs(shift) <= 0.5 * last;
+        const int gains = inside > 0 && fabs(shift) <= PM_GAIN * last;
         *root = gains ? x + shift : 0.5 * (low + high);
         const double size = fabs(*root - x),
                      next = quadratic && gains ? size * (size / last) * (size / last) : size;
@@ -112,7 +110,7 @@ int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context,
     double best = INFINITY, value, last = 0, place = *x, at_best = *x;
     pm_bracket_sides sides = {NAN, NAN};
     if (isnan(slope)) slope = pm_bracket_slope(f, of, context, begin, end, *x, PM_BRACKET_SLOPE_STEP * h);
-    for (int i = 0; i < (has_both(&sides) ? PM_BRACKET_VALUES : POLISH); i++) {
+    for (int i = 0; i < (has_both(&sides) ? PM_BRACKET_VALUES : PM_BRACKET_POLISH); i++) {
         *taken = *x;
         const int status = exactly(of, *x, context, &value);
         if (status) return status;

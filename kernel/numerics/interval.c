@@ -3,8 +3,6 @@
 
 #include "numerics/tolerances.h"
 
-static const double pi = 3.14159265358979323846;
-
 /* A bound that is not a number tells nothing. */
 static pm_interval widened(double lo, double hi)
 {
@@ -54,10 +52,10 @@ pm_interval pm_interval_quotient(pm_interval a, pm_interval b)
     return pm_interval_product(a, widened(1 / b.hi, 1 / b.lo));
 }
 
-/* Some x = peak + 2 pi k may lie in a. */
+/* Some x = peak + 2 M_PI k may lie in a. */
 static int meets(pm_interval a, double peak)
 {
-    const double from = (a.lo - peak) / (2 * pi), to = (a.hi - peak) / (2 * pi);
+    const double from = (a.lo - peak) / (2 * M_PI), to = (a.hi - peak) / (2 * M_PI);
     const double off = PM_INTERVAL_ROUNDING * (1 + fmax(fabs(from), fabs(to)));
     return floor(to + off) != floor(from - off);
 }
@@ -65,20 +63,21 @@ static int meets(pm_interval a, double peak)
 /* Of a wave between -1 and 1 with its top there. */
 static pm_interval wave(double (*f)(double), pm_interval a, double top)
 {
-    if (!(pm_interval_width(a) < 2 * pi)) return (pm_interval){-1, 1};
+    if (!(pm_interval_width(a) < 2 * M_PI)) return (pm_interval){-1, 1};
     const double p = f(a.lo), q = f(a.hi);
     pm_interval x = widened(fmin(p, q), fmax(p, q));
     if (meets(a, top) || x.hi > 1) x.hi = 1;
-    if (meets(a, top + pi) || x.lo < -1) x.lo = -1;
+    if (meets(a, top + M_PI) || x.lo < -1) x.lo = -1;
     return x;
 }
 
-pm_interval pm_interval_sine(pm_interval a) { return wave(sin, a, 0.5 * pi); }
+pm_interval pm_interval_sine(pm_interval a) { return wave(sin, a, 0.5 * M_PI); }
 pm_interval pm_interval_cosine(pm_interval a) { return wave(cos, a, 0); }
 
 pm_interval pm_interval_tangent(pm_interval a)
 {
-    if (!(pm_interval_width(a) < pi) || meets(a, 0.5 * pi) || meets(a, -0.5 * pi)) return PM_INTERVAL_ALL;
+    if (!(pm_interval_width(a) < M_PI) || meets(a, 0.5 * M_PI) || meets(a, -0.5 * M_PI))
+        return PM_INTERVAL_ALL;
     return widened(tan(a.lo), tan(a.hi));
 }
 
@@ -112,7 +111,7 @@ pm_interval pm_interval_power(pm_interval a, double power)
 pm_interval pm_interval_angle(pm_interval y, pm_interval x)
 {
     if (x.lo > 0) return pm_interval_rising(atan, pm_interval_quotient(y, x), -INFINITY, INFINITY);
-    if (pm_interval_holds(y, 0)) return widened(-pi, pi);
+    if (pm_interval_holds(y, 0)) return widened(-M_PI, M_PI);
     const pm_interval from_axis = pm_interval_rising(atan, pm_interval_quotient(x, y), -INFINITY, INFINITY);
-    return pm_interval_difference(pm_interval_of(y.lo > 0 ? 0.5 * pi : -0.5 * pi), from_axis);
+    return pm_interval_difference(pm_interval_of(y.lo > 0 ? 0.5 * M_PI : -0.5 * M_PI), from_axis);
 }

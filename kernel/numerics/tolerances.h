@@ -12,11 +12,13 @@
 
 /* ---- all rooms ---- */
 
+#define PM_GAIN 0.5 /* of what was left before: a sweep that leaves more gains nothing, what is left is rounding; larger: more sweeps in vain */
 #define PM_EPSILON 2.3e-16 /* of a number: rounding of one operation; more would stop searches earlier */
 
 /* ---- numerics ---- */
 
 #define PM_BRACKET_VALUES 300    /* values: a triple root takes 140; more would only put off the message */
+#define PM_BRACKET_POLISH 6 /* exact values taken to polish a root that no bracket holds: the secant method needs three; more: slower */
 #define PM_BRACKET_WIDTH 1e-14   /* of the bracket: a root near x = 0 is that close; more would move events */
 #define PM_BRACKET_NOTHING 1e-16 /* of the bracket: a shift of Newton that gains nothing; likewise */
 #define PM_BRACKET_POLISHED 1e-15  /* of the step: a shift that gains nothing on exact states; likewise */
@@ -24,7 +26,7 @@
 #define PM_BRACKET_LONGER 100 /* shifts before: a secant whose values differ by their rounding alone leads anywhere; larger: to another root */
 #define PM_BRACKET_FAR 0.1       /* of the step: a longer shift is no polish, it may leave for another root */
 #define PM_PIVOT_LOSS 1e-14 /* of its diagonal: a pivot that is lost; larger: more matrices count as singular */
-#define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails */
+#define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails; larger: pivots that are no ties are taken for some */
 #define PM_LEMKE_PIVOT 1e-11 /* of the column's largest entry, at least 1: no pivot; larger: bases are passed over */
 #define PM_LEMKE_PIVOTS 20   /* for each unknown; more would only put off the failure */
 #define PM_PIECES_BOUNDED 16 /* of a piecewise polynomial: over more of them it has no bounds; more: costs time, and they are halved anyway */
@@ -41,6 +43,8 @@
 #define PM_COARSER 30.0 /* times the tolerance of the run that a coarse one is compared with; larger: errors are estimated too large */
 
 /* ---- expression ---- */
+
+#define PM_EXPONENT_MOST 150.0 /* beyond it e^x counts as constant, so that what it divides keeps bounds: 1 / (e^x + e^-x) is nothing there; larger: bounds overflow */
 
 /* ---- elements ---- */
 
@@ -86,7 +90,7 @@
     0.5 /* of the square of a row of G: if that stays, rounding has not grown; larger: slower */
 #define PM_BLOCK_OF_ROWS \
     24 /* constraints solved as one block; fewer are as quick one by one, and told sharply */
-#define PM_BLOCK_PASSES 2 /* with the factors of a block: the second takes off the rounding of the first */
+#define PM_BLOCK_PASSES 2 /* with the factors of a block: the second takes off the rounding of the first; more gain nothing */
 #define PM_SHARED_MOST 24 /* redundant constraints of one group that are treated; more: slower, and larger scratch */
 #define PM_SHARED_NOTHING 1e-9 /* of the largest load of a balance: none; larger: constraints are left out of their group */
 #define PM_SHARED_BOUNDS 1e-6 /* multiplier of a condition that bounds a group (they add to 1); larger: fewer give way */
@@ -94,17 +98,17 @@
 #define PM_SHARED_READ 1e-7 /* of what its parts do: what a balance does not change; larger: shared reactions pass */
 /* what is met */
 #define PM_MET 4e-15 /* of size, speed or terms: residual with nothing left to gain; larger: drift stays */
-#define PM_PROJECTION_SWEEPS 8 /* Newton steps back onto constraints: four do, but for rounding far off */
+#define PM_PROJECTION_SWEEPS 8 /* Newton steps back onto constraints: four do, but for rounding far off; more would only put off the end */
 #define PM_PROJECTION_NEAR 1e-6 /* of the size: what polynomials of the time miss constraints by is drift; larger: bodies are put elsewhere */
 #define PM_FRICTION_ROUNDS 400 /* of friction and reactions: more, and the joint jams */
 #define PM_STAND_IN \
     1e-3 /* of the least mass, for what has none: each round gains as many digits; larger: fewer */
-#define PM_STAND_IN_ROUNDS 60    /* three digits each, unless there is too little mass elsewhere */
+#define PM_STAND_IN_ROUNDS 60    /* three digits each, unless there is too little mass elsewhere; more would only put off the failure */
 #define PM_LIGHT 1e-4 /* of the greatest mass, or that times the scene's size squared: less is next to no inertia; larger: slower */
 #define PM_LIGHT_METRIC 1e-8 /* likewise: no less where rows are compared; larger: starts move light bodies less */
 #define PM_LIGHT_LEAST_PIVOT 1e-4 /* of the diagonal of S: so many figures may be lost; larger: slower */
 #define PM_LIGHT_SCALINGS 4 /* each brings the greatest entry of a row to the root of what it is off; more: slower */
-#define PM_ORDERED_AS_WRITTEN 10 /* bodies: up to here another order of the joints gains nothing */
+#define PM_ORDERED_AS_WRITTEN 10 /* bodies: up to here another order of the joints gains nothing; more: long chains fill in */
 /* starts */
 #define PM_ASSEMBLY_SWEEPS 60 /* Gauss-Newton steps; more would wander */
 #define PM_ASSEMBLY_LONGEST \
@@ -115,18 +119,21 @@
     1e-9 /* relative: start velocities that differ by less agree; larger: hides contradictions */
 #define PM_START_OPEN_PART 1e-6 /* of a unit velocity: left open; larger: hides open motions */
 /* sizes and bounds */
+#define PM_ACCURACY_LEAST 1e-14 /* relative, of solve.accuracy: rounding leaves no better; less: runs in vain */
+#define PM_ACCURACY_MOST 1e-2 /* likewise: beyond it steps are not resolved; larger: errors are estimated too large */
 #define PM_MOST_MEMBERS 1e9 /* of a pattern: int32 numbers them; more would not be distinguished */
 #define PM_FASTER 1.1       /* growth of the speed scale that is worth new weights; larger: coarser weights */
+#define PM_FIXED_SET 6 /* bodies that are tried together, whether joints fix them; more: slower, and larger scratch */
 #define PM_OUT_OF_REACH \
     1e-6 /* of the scene's reach: gaps above stay open whatever the drift; larger: skips fewer */
 /* energy and ledgers */
 #define PM_LEVEL_SHARE \
-    0.1 /* of the greatest kinetic energy: below it velocities say too little of the energy */
+    0.1 /* of the greatest kinetic energy: below it velocities say too little of the energy; larger: the energy is kept less often */
 #define PM_LEVEL_MOST 0.01 /* of the kinetic energy: what misses more is no drift; larger: hides faults */
-#define PM_LEVEL_ROUNDING 2e-15 /* of the terms of the energy: below it nothing is known to be wrong */
-#define PM_LEDGER_PLACE 5e-16   /* of the distance from the origin: rounding of a position, at each event */
+#define PM_LEVEL_ROUNDING 2e-15 /* of the terms of the energy: below it nothing is known to be wrong; larger: drift stays */
+#define PM_LEDGER_PLACE 5e-16   /* of the distance from the origin: rounding of a position, at each event; larger: blind far from the origin */
 #define PM_LEDGER_SPIN \
-    1e-14 /* of the energy of a spin, which may be far above that of the motion in its plane */
+    1e-14 /* of the energy of a spin, which may be far above that of the motion in its plane; larger: blind to the motion in the plane */
 #define PM_LEDGER_SLOWEST \
     1e-3 /* of the scene's speed: slower motion is no scale of its own; larger: blind to it */
 #define PM_LEDGER_ROUNDING \
@@ -144,16 +151,19 @@
 #define PM_MODE_NOTHING 1e-11 /* of the fastest mode, squared frequencies and rates of growth: what differences cannot tell from zero; larger: soft modes are lost */
 #define PM_MODE_SAME 1e-8 /* of a frequency: two that are the same; larger: the order of modes is that of their damping */
 #define PM_MODE_CONFIRMED 1e-6 /* of the fastest mode: two lengths of differences agree; larger: modes where the scene is not smooth */
+#define PM_TREE_SUMMED 64 /* coordinates up to which the sums of tree_augmented.c are kept: their square in memory; more: more memory */
+#define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square; more: slower */
 #define PM_LOOP_SWEEPS 20 /* Newton steps of the dependent coordinates; more, and a shorter step is better */
-#define PM_LOOP_FINEST 4e-16 /* of size and speed: near a singular position what is left is amplified */
+#define PM_LOOP_FINEST 4e-16 /* of size and speed: near a singular position what is left is amplified; larger: less exact there */
 #define PM_LOOP_STALLED \
     1e-12                 /* of the scene's size: met, as far as far-off coordinates allow; larger: drift */
-#define PM_LOOP_RANK 1e-9 /* of the greatest pivot: below it loop constraints depend on each other */
-#define PM_LOOPS_MANY 12  /* loop constraints: from here a partition is cheaper than the whole system */
-#define PM_LOOP_FLAT 0.01 /* square of the independent part of a loop constraint: below, partition */
+#define PM_LOOP_GAIN 0.25 /* of what was left before: a sweep that leaves more gains nothing; larger: more sweeps in vain */
+#define PM_LOOP_RANK 1e-9 /* of the greatest pivot: below it loop constraints depend on each other; larger: constraints that hold are dropped */
+#define PM_LOOPS_MANY 12  /* loop constraints: from here a partition is cheaper than the whole system; more: slower */
+#define PM_LOOP_FLAT 0.01 /* square of the independent part of a loop constraint: below, partition; larger: slower */
 #define PM_LOOP_STEEP \
     5 /* rate of a dependent coordinate over an independent one: choose anew; larger: less exact */
-#define PM_SERIES_REACH 0.5 /* rad: so far the series of cosine and sine have all figures */
+#define PM_SERIES_REACH 0.5 /* rad: so far the series of cosine and sine have all figures; larger: figures are lost */
 
 /* ---- events ---- */
 #define PM_TIME_HALVINGS 64 /* of a stretch of time, to neighbouring numbers; fewer: switches less exact */
@@ -289,12 +299,12 @@
 #define PM_COURSE_COUNTED 5 /* contacts of a blow that is followed: up to here the order in the file decides nothing; more: 4 times dearer each */
 #define PM_COURSE_EVENTS 16 /* in the course of a blow, for each contact; more: one that does not end is found later */
 #define PM_SPRINGS_COLUMNS 7 /* of the extrapolation in a blow with stiffnesses: order 14; more: longer steps, more rounding */
-#define PM_SPRINGS_TOLERANCE 1e-14 /* of its velocities, in each step; PM_COARSER times as much in a coarse run; smaller: rounding makes steps short */
+#define PM_SPRINGS_TOLERANCE 1e-14 /* of its velocities, in each step; PM_COARSER times as much in a coarse run; smaller: rounding makes steps short; larger: less exact blows */
 #define PM_SPRINGS_FIRST 0.1 /* of the time in which the stiffest contact is compressed: first step; larger: tried again with a shorter one */
 #define PM_SPRINGS_SAFE 0.95 /* of the step that the error allows; larger: more are tried again */
 #define PM_SPRINGS_SHORTER 0.2 /* of the step before: no less; smaller: shorter ones after a sudden error */
 #define PM_SPRINGS_LONGER 3.0 /* likewise: no more; larger: more are tried again */
-#define PM_SPRINGS_EXACT 1e-12 /* of the error allowed: none at all; any small number */
+#define PM_SPRINGS_EXACT 1e-12 /* of the error allowed: none at all; any small number does the same */
 #define PM_SPRINGS_LOOKS 12 /* for a place in the step: each at a quarter, where a contact is inside its phase; or the nearest to its end; more: slower */
 #define PM_SPRINGS_STEPS 100000 /* of a blow with stiffnesses; more: one that does not end is found later */
 #define PM_JAMMED 1e-3 /* of the friction that draws a contact together: so near, a route that cannot go on stops for it; larger: other failures are taken for it */

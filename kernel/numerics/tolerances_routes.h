@@ -77,6 +77,8 @@
     3.0 /* of what a node is nearer to zero than its neighbours: so much nearer an extreme may be; more: slower */
 #define PM_ERROR_RESTING \
     10.0 /* an error of T moves the place of rest, too; more: errors of time estimated larger */
+#define PM_REPEAT_RESTS 4 /* places of rest that the first is compared with, and twice as many each time that none was the same; more: slower */
+#define PM_MOST_REPEATS 100000000 /* segments that are passed over at once; more would not be distinguished */
 #define PM_REPEAT_SAME_ENERGY 1e-13 /* of T: a lap without gain or loss; more: slow losses are left out */
 #define PM_REPEAT_SAME_STEP \
     1e-16 /* of T: from one segment to the next it does not change in its last digit; more: series end early */
@@ -167,6 +169,7 @@
 
 #define PM_UNIFORM_FIRST_STRIDE \
     4.0 /* of the motion's own time: first step where polynomials are watched; more: coarser samples */
+#define PM_UNIFORM_FINEST 5e-14 /* relative: what other phases of the run may reach; more: less can be asked for */
 #define PM_UNIFORM_LONGER 2.0 /* of a step: the next one; likewise */
 #define PM_UNIFORM_TURNED \
     1e-9 /* of a step: a parabola whose extremum is so near to its begin has passed it; more: extremes are missed */

@@ -20,18 +20,31 @@
 typedef struct pm_rule {
     const pm_route_ops *route;
     const char *reason;
+    int (*when)(const pm_workspace *w); /* NULL: always */
 } pm_rule;
 
-enum { NUDGED = 0, PASSING = 1, STIFF = 2, FIRST = 3 }; /* the rules from FIRST on are tried in turn */
+static int has_nudge(const pm_workspace *w) { return w->request.program != PM_NONE; }
+static int is_singular(const pm_workspace *w) { return w->phase.singular; } /* known by ida alone */
+static int is_stiff(const pm_workspace *w) { return w->phase.stiff == PM_STIFF && w->ida; }
+
+enum {
+    NUDGED = 0,
+    PASSING = 1,
+    FIRST = 2
+}; /* the rules from FIRST on are tried in turn, where no route is forced */
 static const pm_rule rules[] = {
-    {&pm_route_path, "it leaves an unstable rest on the side that a nudge states: by energy along the path"},
-    {&pm_route_rk, "a singular position, where the constraints do not determine the motion: passed in "
-                   "independent coordinates"},
-    {&pm_route_ida, "stiff: stability, not accuracy, made the steps of rk short; implicit integration"},
+    {&pm_route_path, "it leaves an unstable rest on the side that a nudge states: by energy along the path",
+     has_nudge},
+    {&pm_route_rk,
+     "a singular position, where the constraints do not determine the motion: passed in "
+     "independent coordinates",
+     is_singular},
     {&pm_route_uniform,
-     "no force changes and no constraint rotates: constant accelerations, polynomials of the time"},
-    {&pm_route_path, ONE_FREEDOM ": work and energy along the path"},
-    {&pm_route_rk, "smooth motion in time: explicit integration of order 8"},
+     "no force changes and no constraint rotates: constant accelerations, polynomials of the time", NULL},
+    {&pm_route_path, ONE_FREEDOM ": work and energy along the path", NULL},
+    {&pm_route_ida, "stiff: stability, not accuracy, made the steps of rk short; implicit integration",
+     is_stiff},
+    {&pm_route_rk, "smooth motion in time: explicit integration of order 8", NULL},
 };
 enum { NRULES = sizeof rules / sizeof *rules };
 
@@ -73,25 +86,21 @@ static int forced(pm_workspace *w, int wanted)
     return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 
-/* Stiff motion is left to ida, where that route is there (routes.c) and takes it. */
-static int stiff(pm_workspace *w)
+/* Takes the route of a rule that applies; 0 if it does not. */
+static int try_rule(pm_workspace *w, int rule)
 {
-    return w->phase.stiff == PM_STIFF && w->ida && pm_route_prepare(w, &pm_route_ida);
+    const pm_rule *r = &rules[rule];
+    return (!r->when || r->when(w)) && pm_route_prepare(w, r->route) &&
+           !take(&w->phase, &w->result, r->route, rule);
 }
 
 int pm_plan_phase(pm_workspace *w)
 {
     const int wanted = PM_SETTING(w->model, PM_SETTING_ROUTE);
-    if (w->request.program != PM_NONE && pm_route_prepare(w, &pm_route_path))
-        return take(&w->phase, &w->result, &pm_route_path, NUDGED);
-    if (w->phase.singular) /* known by ida alone */
-        return take(&w->phase, &w->result, &pm_route_rk, PASSING);
+    if (try_rule(w, NUDGED) || try_rule(w, PASSING)) return PM_OK;
     if (wanted != PM_ROUTE_AUTO) return forced(w, wanted);
-    for (int i = FIRST; i < NRULES; i++) {
-        if (rules[i].route == &pm_route_rk && stiff(w))
-            return take(&w->phase, &w->result, &pm_route_ida, STIFF);
-        if (pm_route_prepare(w, rules[i].route)) return take(&w->phase, &w->result, rules[i].route, i);
-    }
+    for (int i = FIRST; i < NRULES; i++)
+        if (try_rule(w, i)) return PM_OK;
     return pm_fail(&w->result, PM_UNSUPPORTED, PM_TABLE_SETTING, PM_SETTING_ROUTE, wanted, 0);
 }
 

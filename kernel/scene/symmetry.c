@@ -14,12 +14,13 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-#define TURN (2 * 3.14159265358979323846)
-
 static int whole(double ratio) { return fabs(ratio - round(ratio)) <= PM_SYMMETRY_SAME; }
 
 static double rotation_of(const pm_symmetry_shift *s, int body) { return body < 0 ? 0 : s->rotation[body]; }
-static int is_rotated(const pm_symmetry_shift *s, int body) { return !whole(rotation_of(s, body) / TURN); }
+static int is_rotated(const pm_symmetry_shift *s, int body)
+{
+    return !whole(rotation_of(s, body) / (2 * M_PI));
+}
 static int moved(const pm_symmetry_shift *s) { return s->by[0] != 0 || s->by[1] != 0; }
 
 /* ---- marks ---- */
@@ -62,7 +63,7 @@ static int pattern_stays(const pm_frame *frame, const pm_symmetry_shift *s, int 
 /* Two bodies keep their relative angle, whole revolutions included. */
 static int together(const pm_symmetry_shift *s, int a, int b)
 {
-    return fabs(rotation_of(s, a) - rotation_of(s, b)) <= PM_SYMMETRY_SAME * TURN;
+    return fabs(rotation_of(s, a) - rotation_of(s, b)) <= PM_SYMMETRY_SAME * 2 * M_PI;
 }
 
 static int mark_stays(const pm_frame *frame, const pm_symmetry_shift *s, int table, int mark)

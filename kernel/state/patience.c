@@ -10,7 +10,7 @@
 static double now(void)
 {
     struct timespec t;
-    return clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t) ? NAN : (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    return clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t) ? NAN : (double)t.tv_sec + (double)t.tv_nsec / 1e9;
 }
 
 void pm_patience_begin(pm_patience *p)

@@ -6,15 +6,12 @@
 #define PM_TREE_H
 
 #include "numerics/elimination.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 typedef struct pm_tree_node pm_tree_node;
 
 enum { PM_TREE_ARM = 6 }; /* numbers that give the levers of the reactions on a body */
-
-#define PM_TREE_SUMMED \
-    64 /* coordinates up to which the sums of tree_augmented.c are kept: their square in memory */
-#define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square */
 
 /* What stays the same in the equations of a phase, and the directions and rates of a solve: see tree_augmented.c. */
 typedef struct pm_tree_augmented {

@@ -87,7 +87,7 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
     double worst = place(w, y, q, loops), before = INFINITY;
     for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
         if (worst <= PM_MET * w->numbers.size ||
-            (worst <= PM_LOOP_STALLED * w->numbers.size && worst > 0.25 * before))
+            (worst <= PM_LOOP_STALLED * w->numbers.size && worst > PM_LOOP_GAIN * before))
             return PM_OK;
         const int status = pm_tree_factor_dependent(w, loops->entry);
         if (status) return status;
@@ -141,7 +141,7 @@ int pm_tree_settle(pm_workspace *w, double time, double *y, double *ydot, const 
     double worst = look(w, time, y, ydot, z), before = INFINITY;
     for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
         const int met = worst <= PM_LOOP_FINEST * w->numbers.size ||
-                        (worst <= PM_LOOP_STALLED * w->numbers.size && worst > 0.25 * before);
+                        (worst <= PM_LOOP_STALLED * w->numbers.size && worst > PM_LOOP_GAIN * before);
         if (met && read_rate_residuals(&w->frame, t) <= PM_LOOP_FINEST * w->numbers.speed) return PM_OK;
         if (met && sweep > 0 &&
             before <= PM_FACTORS_STAY * w->numbers.size) { /* the factors are those of this place */

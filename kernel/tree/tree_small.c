@@ -16,12 +16,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "equations/projection.h"
 #include "numerics/lanes.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define MOST PM_TREE_SMALL_MOST
-#define PIVOT_LOSS 1e-14 /* as in dense.c */
 #define INLINE static inline __attribute__((always_inline))
 
 /* ---- directions ---- */
@@ -124,7 +124,7 @@ INLINE int factor(int n, double a[MOST][MOST])
             a[j][k] *= a[k][k];
             pivot -= a[j][k] * scaled[k];
         }
-        if (!(pivot > PIVOT_LOSS * a[j][j])) return j + 1;
+        if (!(pivot > PM_PIVOT_LOSS * a[j][j])) return j + 1;
         a[j][j] = 1 / pivot;
         for (int i = j + 1; i < n; i++)
             for (int k = 0; k < j; k++) a[i][j] -= a[i][k] * a[j][k];
@@ -261,7 +261,7 @@ INLINE int solve_along(pm_workspace *w, int n, pm_tree_small_place *p, const dou
         double first[3], second[3];
         cross(row[0], row[1], way);
         const double square = dot(3, way, way), inverse = 1 / square;
-        if (!(square > PIVOT_LOSS * dot(3, row[0], row[0]) * dot(3, row[1], row[1])))
+        if (!(square > PM_PIVOT_LOSS * dot(3, row[0], row[0]) * dot(3, row[1], row[1])))
             return pm_tree_singular_loop(w, 1);
         cross(row[1], way, first);
         cross(way, row[0], second);
@@ -339,9 +339,7 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
     for (int sweep = 0;; sweep++) {
         direct(x, n, y, p.direction);
         worst = openings(x, n, nloop, y, &p, opening);
-        if (worst <= PM_MET * w->numbers.size || sweep == PM_PROJECTION_SWEEPS ||
-            (sweep > 1 && worst > 0.5 * before))
-            break;
+        if (pm_projection_ends(&w->numbers, sweep, worst, before)) break;
         factored = worst <= PM_FACTORS_STAY * w->numbers.size;
         before = worst;
         if ((status = factor_here(w, n, nloop, &p))) return status;

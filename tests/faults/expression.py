@@ -42,8 +42,8 @@ FAULTS = [
     Fault(
         "enclosure: the exponential of no number is a number",
         "expression/enclosure_rules.c",
-        "exp(x > EXPONENT_MOST ? EXPONENT_MOST : x)",
-        "exp(fmin(x, EXPONENT_MOST))",
+        "exp(x > PM_EXPONENT_MOST ? PM_EXPONENT_MOST : x)",
+        "exp(fmin(x, PM_EXPONENT_MOST))",
     ),
     Fault(
         "enclosure: an angle does not leap",

@@ -55,7 +55,7 @@ static int look(const scene *s, int program, double from, double to)
         double derivative[2];
         const double x = value_at(s, program, t, derivative), small = 1e-12 * (1 + fabs(x)),
                      rate = derivative[0], bend = derivative[1];
-        if (!(fabs(x) < 1e60 && fabs(rate) < 1e60)) return 0; /* see EXPONENT_MOST */
+        if (!(fabs(x) < 1e60 && fabs(rate) < 1e60)) return 0; /* see PM_EXPONENT_MOST */
         CHECK(x >= e.jet.value.lo - small && x <= e.jet.value.hi + small);
         CHECK(rate >= e.jet.rate.lo - 1e-9 * (1 + fabs(rate)) &&
               rate <= e.jet.rate.hi + 1e-9 * (1 + fabs(rate)));

@@ -19,14 +19,12 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-#define HALF_TURN 3.14159265358979323846
-
 static double reach_of(const pm_workspace *w)
 {
     return PM_BRIDGE_REACH * pm_tree_scale(w->tree, &w->numbers, w->path->driver);
 }
 
-static double support(int j) { return cos((2 * j + 1) * HALF_TURN / (2 * PM_BRIDGE_PLACES)); }
+static double support(int j) { return cos((2 * j + 1) * M_PI / (2 * PM_BRIDGE_PLACES)); }
 
 /* From the place before (at *u, with its slope) to the next on the branch, by the tangent. */
 static int walk(pm_workspace *w, double *u, double to, double *y, double *slope)
@@ -48,7 +46,7 @@ static void transform(pm_path *p)
         for (int m = 0; m < PM_BRIDGE_PLACES; m++) {
             double sum = 0;
             for (int j = 0; j < PM_BRIDGE_PLACES; j++)
-                sum += value[j] * cos(m * (2 * j + 1) * HALF_TURN / (2 * PM_BRIDGE_PLACES));
+                sum += value[j] * cos(m * (2 * j + 1) * M_PI / (2 * PM_BRIDGE_PLACES));
             p->bridge.c[m * p->n + i] = 2 * sum / PM_BRIDGE_PLACES;
         }
     }

@@ -19,7 +19,6 @@ int pm_repeat_begin(pm_workspace *w, int *passed);
 void pm_repeat_end(pm_workspace *w);
 
 /* ---- for the files that pass over segments of a path which repeat the one before ---- */
-#define PM_MOST_REPEATS 100000000
 
 /* The last segment, which was computed, and what leads from one to the next. */
 typedef struct pm_repeat {

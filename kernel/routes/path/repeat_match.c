@@ -11,8 +11,6 @@
 #include "routes/path/repeat.h"
 #include "state/workspace.h"
 
-#define TURN (2 * 3.14159265358979323846)
-
 /* The contacts are closed in the same modes, each with a member that is as many further on; or with none at all. */
 static int same_modes(pm_workspace *w)
 {
@@ -83,9 +81,9 @@ static int same_place_and_motion(pm_workspace *w, double kinetic)
         }
         if (fabs(v[2] - faster * v0[2]) * w->numbers.size > motion) return 0;
         l->rotation[i] = q[2] - q0[2];
-        const double number = l->rotation[i] / TURN;
+        const double number = l->rotation[i] / (2 * M_PI);
         if (fabs(number - round(number)) <= PM_REPEAT_SAME_PLACE * fmax(1, fabs(number)))
-            l->rotation[i] = TURN * round(number);
+            l->rotation[i] = 2 * M_PI * round(number);
     }
     return 1;
 }

@@ -21,8 +21,6 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-#define FEWEST 4 /* places of rest that the first is compared with */
-
 int pm_repeat_rest_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -114,7 +112,7 @@ void pm_repeat_rest_forget(pm_rest *rest) { rest->period.known = 0; }
 int pm_repeat_rest_begin(pm_workspace *w, int *passed)
 {
     pm_rest *rest = w->repeat->rest;
-    int status = PM_OK, most = FEWEST;
+    int status = PM_OK, most = PM_REPEAT_RESTS;
     if (!w->path->at_rest || w->path->balanced || !may_repeat(w)) return PM_OK;
     if (rest->period.known && w->result.count[PM_COUNT_JUMPS] != rest->period.count[PM_COUNT_JUMPS])
         pm_repeat_rest_forget(rest);

@@ -25,8 +25,6 @@
 #include "state/workspace.h"
 #include "tree/tree.h"
 
-#define TURN (2 * 3.14159265358979323846)
-
 /* ---- memory ---- */
 static size_t doubles_of_place(const pm_model *m)
 {
@@ -97,8 +95,8 @@ static double full_step(const pm_workspace *w, const pm_place *x)
 {
     double h = INFINITY;
     for (int i = 0; i < w->path->n; i++) {
-        const double most =
-            pm_tree_is_angle(w->tree, i) ? TURN / PM_PATH_STEPS_PER_TURN : PM_PATH_LENGTH * w->numbers.size;
+        const double most = pm_tree_is_angle(w->tree, i) ? 2 * M_PI / PM_PATH_STEPS_PER_TURN
+                                                         : PM_PATH_LENGTH * w->numbers.size;
         const double factor = i == w->path->driver ? 1 : PM_PATH_FASTER;
         if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
     }
@@ -285,14 +283,15 @@ static int step(pm_workspace *w, double t_limit)
     p->safe = w->numbers.coarse * full_step(w, &p->node[0]);
     const double full =
         fmin(fmin(p->most, step_factor(w) * p->safe), w->numbers.coarse * next_contact(w, &p->node[0]));
-    if (!status) status = pm_path_take_step(w, repeat(w->path, may_close ? fmin(full, TURN - p->way) : full));
+    if (!status)
+        status = pm_path_take_step(w, repeat(w->path, may_close ? fmin(full, 2 * M_PI - p->way) : full));
     if (status) return status;
     if (w->step.reverses) set_reversal(w);
     pm_step_set(&w->step, 0, p->h);
     p->way += p->h;
     const int hands_over = p->balanced && PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_AUTO &&
                            PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
-    w->phase.lap = hands_over || (may_close && p->way > TURN * (1 - PM_PATH_LAP));
+    w->phase.lap = hands_over || (may_close && p->way > 2 * M_PI * (1 - PM_PATH_LAP));
     state_of(w->model, w->path, &p->node[PM_NODES_MOST - 1], 1, pm_path_clock_at(p, 1), &w->state);
     w->step.nodes = p->nodes;
     pm_frame_look_state(&w->frame, &w->state);

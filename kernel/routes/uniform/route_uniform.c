@@ -331,7 +331,7 @@ const pm_route_ops pm_route_uniform = {
     .locates_contacts = 1,
     .in_time = 1,
     .price = 1,
-    .finest = 5e-14, /* no tolerance enters; as of routes that may take other phases of the run */
+    .finest = PM_UNIFORM_FINEST, /* no tolerance enters; as of routes that may take other phases of the run */
     .spread = 30,
     .nodes = &pm_chebyshev_nodes_equal,
 };
