@@ -55,6 +55,7 @@ class House:
     longest_file: int
     longest_function: int
     largest_struct: int
+    verbs: tuple[str, ...] = ()
 
     def floor(self, unit: str) -> int | None:
         """How high a file stands; None if it is in no room."""
@@ -65,7 +66,7 @@ class House:
 def house() -> House:
     table = tomllib.loads((KERNEL / "rooms.toml").read_text(encoding="utf-8"))
     rooms = tuple(table.pop("rooms"))
-    return House(rooms, **table)
+    return House(rooms, verbs=tuple(table.pop("verbs")), **table)
 
 
 @cache
@@ -154,6 +155,22 @@ def silent_tolerances(kernel: Path) -> list[str]:
     return found
 
 
+def strange_names(kernel: Path, plan: House) -> list[str]:
+    """Functions and tables for others that begin neither with the first word of their file nor with a struct.
+
+    A reader does not find them.  What the public headers declare is called as users are to call it.
+    """
+    public = "".join(path.read_text("utf-8") for path in kernel.glob("*.h"))
+    begins = tuple(f"{struct}_" for struct in structs(kernel)) + plan.verbs
+    return sorted(
+        f"{file}: {name}"
+        for name, files in definers(kernel).items()
+        for file in files
+        if not name.startswith((f"pm_{file.rpartition('/')[2].partition('_')[0]}", *begins))
+        and not re.search(rf"\b{name}\b", public)
+    )
+
+
 def upward(kernel: Path, plan: House) -> list[str]:
     """Uses of a later room by an earlier one, one for each pair of files and name."""
     found: dict[str, int] = {}
@@ -223,6 +240,10 @@ def test_a_room_names_all_its_files_and_no_other() -> None:
     for room in house().rooms:
         there = {path.stem for path in (KERNEL / room).glob("*.[ch]")}
         assert named((KERNEL / room / "README.md").read_text(encoding="utf-8")) == there, room
+
+
+def test_functions_are_called_after_their_files() -> None:
+    assert strange_names(KERNEL, house()) == []
 
 
 def test_nothing_uses_a_later_room() -> None:
@@ -335,6 +356,17 @@ def test_a_bare_number_and_a_silent_tolerance_are_found(tmp_path: Path) -> None:
     )
     assert bare_numbers(kernel) == ["low/stone: 1.5e-9 (line 3)"]
     assert silent_tolerances(kernel) == ["PM_B", "PM_C"]
+
+
+def test_a_function_with_a_strange_name_is_found(tmp_path: Path) -> None:
+    kernel = built(
+        tmp_path,
+        planemotion_h="int pm_public(void);",
+        high__roof_c="int pm_roof_tile(void) { return 1; }\nint pm_tile(void) { return 1; }",
+        low__stone_c="int pm_block_cut(void) { return 1; }\nint pm_public(void) { return 1; }",
+        low__stone_h="typedef struct pm_block {\n    int a;\n} pm_block;\n",
+    )
+    assert strange_names(kernel, PLAN) == ["high/roof: pm_tile"]
 
 
 def test_circles_are_found_in_one_room_and_through_several(tmp_path: Path) -> None:

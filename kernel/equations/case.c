@@ -37,7 +37,7 @@ int pm_case_values(pm_workspace *w, const double *param)
 /* value must be finite and > low (or >= low). */
 static int check(pm_workspace *w, int table, int row, int column, double low, int strict)
 {
-    const int index = pm_model_row(w->model, table, row, pm_table_columns[table])[column];
+    const int index = pm_model_row(w->model, table, row, pm_reference_columns[table])[column];
     const double value = w->numbers.value[index];
     if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
     return out_of_bound(&w->result, table, row, column, value, low);
@@ -80,7 +80,7 @@ static int check_bounds(pm_workspace *w)
 {
     for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++) {
         const pm_bounds *x = &bounds[k];
-        const int columns = pm_table_columns[x->table], rows = w->model->rows[x->table];
+        const int columns = pm_reference_columns[x->table], rows = w->model->rows[x->table];
         const int32_t *e = w->model->table[x->table] + x->column;
         for (int i = 0; i < rows; i++, e += columns) {
             if (*e == PM_NONE) continue;

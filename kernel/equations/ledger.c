@@ -99,7 +99,7 @@ double pm_ledger_controlled_scale(const pm_frame *frame, int z)
     const double spin = pm_turning_plane_scale(frame, z);
     if (spin > 0) return spin;
     if (z >= frame->model->nz_work) return frame->numbers->size;
-    return pm_body_total_mass(frame) * frame->numbers->speed * frame->numbers->speed;
+    return pm_frame_total_mass(frame) * frame->numbers->speed * frame->numbers->speed;
 }
 
 void pm_ledger_rates(pm_workspace *w, double *zdot)
@@ -290,7 +290,7 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
         open[i] = p[i] - w->ledger.momentum_start[i] - w->state.z[pm_ledger_ledger(m) + i];
     const double energy_open =
         energy(w) - w->ledger.energy_start - work_of_forces(w->model, &w->state) + w->ledger.energy_lost;
-    const double mass = pm_body_total_mass(&w->frame);
+    const double mass = pm_frame_total_mass(&w->frame);
     w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, PM_LEDGER_SLOWEST * mass * w->numbers.speed);
     w->ledger.energy_scale = fmax(w->ledger.energy_scale, PM_LEDGER_SLOWEST * PM_LEDGER_SLOWEST * mass *
                                                               w->numbers.speed * w->numbers.speed);

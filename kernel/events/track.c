@@ -26,7 +26,7 @@ double pm_track_left(const pm_frame *frame, int joint)
     return pm_constraint_curve_room(frame, &c);
 }
 
-int pm_event_check_tracks(pm_workspace *w)
+int pm_track_check(pm_workspace *w)
 {
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];

@@ -9,6 +9,6 @@ int pm_track_ends(const pm_workspace *w, int joint);
 /* How far its foot is from the nearer end, m. */
 double pm_track_left(const pm_frame *frame, int joint);
 /* PM_CURVE_ENDS, where = joint: at this instant what runs along a curve comes to its end. */
-int pm_event_check_tracks(pm_workspace *w);
+int pm_track_check(pm_workspace *w);
 
 #endif

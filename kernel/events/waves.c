@@ -117,14 +117,14 @@ int pm_waves_possible(const pm_workspace *w, int functions, int watched)
 }
 
 /* ---- one program ---- */
-typedef struct pm_course {
+typedef struct pm_waves_course {
     const pm_workspace *w;
     const double *sample; /* at the nodes */
     int program;
     int by_branches; /* a switch that is passed once is no harm */
-} pm_course;
+} pm_waves_course;
 
-static pm_enclosure enclose(const pm_course *c, double from, double to)
+static pm_enclosure enclose(const pm_waves_course *c, double from, double to)
 {
     const pm_workspace *w = c->w;
     return pm_enclosure_along(w->model, c->program, w->numbers.folded, &w->watched->waves->along, from, to);
@@ -133,7 +133,7 @@ static pm_enclosure enclose(const pm_course *c, double from, double to)
 static int is_bounded(pm_interval x) { return isfinite(x.lo) && isfinite(x.hi); }
 
 /* The measures that it reads are the polynomials through their samples; else nothing can be said. */
-static int is_of_polynomials(const pm_course *c)
+static int is_of_polynomials(const pm_waves_course *c)
 {
     const pm_program_fold *f = c->w->model->programs.fold;
     const pm_measure_series *x = &c->w->watched->waves->along;
@@ -143,7 +143,7 @@ static int is_of_polynomials(const pm_course *c)
 }
 
 /* Least and greatest sample; not bounded where one is no number. */
-static pm_interval range_of(const pm_course *c)
+static pm_interval range_of(const pm_waves_course *c)
 {
     pm_interval x = {INFINITY, -INFINITY};
     for (int k = 0; k < c->w->step.nodes->n; k++) {
@@ -154,12 +154,12 @@ static pm_interval range_of(const pm_course *c)
     return x;
 }
 
-static double nothing_of(const pm_course *c, pm_interval range)
+static double nothing_of(const pm_waves_course *c, pm_interval range)
 {
     return c->w->numbers.tolerance * pm_interval_size(range);
 }
 
-static int is_calm(const pm_course *c, pm_interval range)
+static int is_calm(const pm_waves_course *c, pm_interval range)
 {
     const pm_enclosure all = enclose(c, 0, 1);
     return !all.open &&
@@ -167,7 +167,7 @@ static int is_calm(const pm_course *c, pm_interval range)
 }
 
 /* The bends at the nodes, widened by what changes nothing; 0 if the polynomial has other rates there. */
-static int take_bends(const pm_course *c, pm_interval range, pm_interval *bends)
+static int take_bends(const pm_waves_course *c, pm_interval range, pm_interval *bends)
 {
     const pm_chebyshev_nodes *nodes = c->w->step.nodes;
     double off = 0, steepest = 0;
@@ -185,7 +185,7 @@ static int take_bends(const pm_course *c, pm_interval range, pm_interval *bends)
 }
 
 /* Whether it stays within its bends over [from, to], and passes no switch that is not known there. */
-static int stays(const pm_course *c, pm_interval bends, double from, double to, int *budget)
+static int stays(const pm_waves_course *c, pm_interval bends, double from, double to, int *budget)
 {
     const double middle = 0.5 * (from + to);
     const pm_enclosure e = enclose(c, from, to);
@@ -195,7 +195,7 @@ static int stays(const pm_course *c, pm_interval bends, double from, double to, 
 }
 
 /* From one node to another no switch is passed that is not known. */
-static int has_known_switches(const pm_course *c, int first, int last)
+static int has_known_switches(const pm_waves_course *c, int first, int last)
 {
     const double *at = c->w->step.nodes->at;
     const int middle = (first + last) / 2;
@@ -205,13 +205,13 @@ static int has_known_switches(const pm_course *c, int first, int last)
     return has_known_switches(c, first, middle) && has_known_switches(c, middle, last);
 }
 
-static int switches_only(const pm_course *c)
+static int switches_only(const pm_waves_course *c)
 {
     return c->w->watched->waves->possible[c->program] == SWITCHES_ONLY;
 }
 
 /* By the nodes of routes that do not care for waves. */
-static int is_calm_by_few(const pm_course *c)
+static int is_calm_by_few(const pm_waves_course *c)
 {
     const pm_interval range = range_of(c);
     if (!is_bounded(range)) return 1;
@@ -219,7 +219,7 @@ static int is_calm_by_few(const pm_course *c)
     return switches_only(c) ? has_known_switches(c, 0, c->w->step.nodes->n - 1) : is_calm(c, range);
 }
 
-static int is_shown(const pm_course *c)
+static int is_shown(const pm_waves_course *c)
 {
     const pm_chebyshev_nodes *nodes = c->w->step.nodes;
     const pm_interval range = range_of(c);
@@ -237,7 +237,7 @@ static int is_shown(const pm_course *c)
 }
 
 /* The few nodes of a route would show it, too: what their polynomial leaves out is little. */
-static int is_told_by_few(const pm_course *c)
+static int is_told_by_few(const pm_waves_course *c)
 {
     const pm_interval range = range_of(c);
     pm_chebyshev_series own;
@@ -261,16 +261,16 @@ static void fill_series(pm_workspace *w, int functions, int watched)
 }
 
 /* Whether `is` holds for all triggers and asks that were sampled. */
-static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_course *))
+static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_waves_course *))
 {
     for (int i = 0; functions && i < w->event->ntrigger; i++) {
-        const pm_course c = {w, pm_event_samples(w->event, i), trigger_program(w, i), 0};
+        const pm_waves_course c = {w, pm_event_samples(w->event, i), trigger_program(w, i), 0};
         if (is_watched(w, i) && !is(&c)) return 0;
     }
     for (int i = 0; watched && i < w->ask->nobserver; i++) {
         const int ask = w->ask->observer[i];
-        const pm_course c = {w, pm_ask_samples(w, ask), pm_ask_watched(w->model, w->ask, i),
-                             w->ask->switches[ask] > 0};
+        const pm_waves_course c = {w, pm_ask_samples(w, ask), pm_ask_watched(w->model, w->ask, i),
+                                   w->ask->switches[ask] > 0};
         if (w->watched->waves->possible[c.program] && !is(&c)) return 0;
     }
     return 1;

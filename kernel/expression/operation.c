@@ -71,7 +71,7 @@ const pm_operation pm_operations[PM_OPS] = {
     [PM_OP_KNOT] = {1},
 };
 
-int pm_program_class_by(const pm_model *m, int program, const pm_program_rules *rules, const void *of)
+int pm_program_rules_apply(const pm_model *m, int program, const pm_program_rules *rules, const void *of)
 {
     int stack[PM_STACK];
     for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x);) {
@@ -83,7 +83,7 @@ int pm_program_class_by(const pm_model *m, int program, const pm_program_rules *
     return stack[0];
 }
 
-int pm_program_reads(const pm_model *m, int program, pm_measure_is *is)
+int pm_program_walk_reads(const pm_model *m, int program, pm_measure_is *is)
 {
     for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x);)
         if (x.op == PM_OP_MEASURE && is(m, x.arg)) return x.arg;

@@ -81,10 +81,10 @@ typedef struct pm_program_rules {
     int (*two)(const pm_program_walk *x, int a, int b);
 } pm_program_rules;
 
-int pm_program_class_by(const pm_model *m, int program, const pm_program_rules *rules, const void *of);
+int pm_program_rules_apply(const pm_model *m, int program, const pm_program_rules *rules, const void *of);
 
 /* The first measure that a program reads of which `is` holds; PM_NONE: it reads none. */
 typedef int pm_measure_is(const pm_model *m, int measure);
-int pm_program_reads(const pm_model *m, int program, pm_measure_is *is);
+int pm_program_walk_reads(const pm_model *m, int program, pm_measure_is *is);
 
 #endif

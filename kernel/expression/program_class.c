@@ -17,12 +17,12 @@ static int is_of_event(const pm_model *m, int measure)
 
 int pm_program_class_reads_time(const pm_model *m, int program)
 {
-    return pm_program_reads(m, program, is_time) != PM_NONE;
+    return pm_program_walk_reads(m, program, is_time) != PM_NONE;
 }
 
 int pm_program_class_reads_counts(const pm_model *m, int program)
 {
-    return pm_program_reads(m, program, is_of_event) != PM_NONE;
+    return pm_program_walk_reads(m, program, is_of_event) != PM_NONE;
 }
 
 /* What enters a value: nothing but constants, something that counts or decides, something continuous. */
@@ -65,5 +65,5 @@ static int grain_of_two(const pm_program_walk *x, int a, int b) { return grain_a
 int pm_program_class_is_discrete(const pm_model *m, int program)
 {
     static const pm_program_rules rules = {read_grain, grain_after, grain_of_two};
-    return pm_program_class_by(m, program, &rules, NULL) == GRAIN_DISCRETE;
+    return pm_program_rules_apply(m, program, &rules, NULL) == GRAIN_DISCRETE;
 }

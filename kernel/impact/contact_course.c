@@ -30,7 +30,7 @@ int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most, in
     };
     int status = pm_arena_take(arena, PM_ARRAYS(array));
     if (!status) status = pm_contact_problem_create(&x->stretch, arena, most);
-    if (!status) status = pm_joints_problem_create(&x->joints, arena, &x->stretch, most, joints);
+    if (!status) status = pm_contact_problem_joints_create(&x->joints, arena, &x->stretch, most, joints);
     x->stretch.counted = PM_COURSE_COUNTED;
     return status ? status : pm_contact_springs_create(&x->springs, arena, most);
 }
@@ -38,7 +38,8 @@ int pm_contact_course_create(pm_contact_course *x, pm_arena *arena, int most, in
 static double times_row(const pm_contact_course *x, int row, const double *p)
 {
     double sum = 0;
-    for (int k = 0; k < pm_course_size(x); k++) sum += x->response[row * pm_course_size(x) + k] * p[k];
+    for (int k = 0; k < pm_contact_course_size(x); k++)
+        sum += x->response[row * pm_contact_course_size(x) + k] * p[k];
     return sum;
 }
 
@@ -64,7 +65,7 @@ static int list_at_once(pm_contact_course *x)
 /* W_dd q = -u_d.  One that depends on those before it goes with them. */
 static void take_at_once(pm_contact_course *x)
 {
-    const int n = pm_course_size(x);
+    const int n = pm_contact_course_size(x);
     for (int m = list_at_once(x), dependent; m > 0; m--) {
         for (int r = 0; r < m; r++)
             for (int k = 0; k < m; k++) x->system[r * m + k] = x->response[x->of[r] * n + x->of[k]];
@@ -97,7 +98,7 @@ static double until_work(double u, double rate, double p, double work)
 }
 
 /* When the restitution of a contact is over. */
-static double until_spent(const pm_course_contact *c, double normal)
+static double until_spent(const pm_contact_course_contact *c, double normal)
 {
     switch ((enum pm_law)c->law) {
     case PM_LAW_NEWTON:
@@ -109,12 +110,12 @@ static double until_spent(const pm_course_contact *c, double normal)
     return UNLIMITED;
 }
 
-static double until_slip_ends(const pm_course_contact *c, double slip)
+static double until_slip_ends(const pm_contact_course_contact *c, double slip)
 {
     return c->friction.friction == PM_FRICTION_COULOMB ? until_none(slip, c->rate[1]) : UNLIMITED;
 }
 
-static double until_met(const pm_course_contact *c, double normal)
+static double until_met(const pm_contact_course_contact *c, double normal)
 {
     return normal > 0 ? until_none(normal, c->rate[0]) : UNLIMITED;
 }
@@ -124,7 +125,7 @@ static double length(const pm_contact_course *x, int compresses)
 {
     double s = compresses ? 1 : UNLIMITED;
     for (int i = 0; i < x->n; i++) {
-        const pm_course_contact *c = &x->contact[i];
+        const pm_contact_course_contact *c = &x->contact[i];
         const double *u = x->velocity + 2 * i;
         s = fmin(s, fmin(until_slip_ends(c, u[1]), until_met(c, u[0])));
         if (c->rebounds) s = fmin(s, until_spent(c, u[0]));
@@ -137,7 +138,7 @@ static double length(const pm_contact_course *x, int compresses)
 static void go(pm_contact_course *x, double s)
 {
     for (int i = 0; i < x->n; i++) {
-        pm_course_contact *c = &x->contact[i];
+        pm_contact_course_contact *c = &x->contact[i];
         double *u = x->velocity + 2 * i;
         const double p = c->share[0] * s;
         const int slip_ends = until_slip_ends(c, u[1]) <= s, meets = until_met(c, u[0]) <= s;
@@ -169,7 +170,7 @@ static int follow_phase(pm_contact_course *x, int compresses)
     const int most = PM_COURSE_EVENTS * (x->n + x->m + 1);
     for (int i = 0; i < most; i++) {
         if (!goes_on(x, compresses)) return 1;
-        const int found = pm_course_find_rates(x, compresses);
+        const int found = pm_contact_course_find_rates(x, compresses);
         if (found != 1) return found;
         const double s = length(x, compresses);
         if (!isfinite(s)) return 0;
@@ -190,9 +191,9 @@ static double work_of_all(const pm_contact_course *x)
 static void begin_restitution(pm_contact_course *x)
 {
     const double no_work = PM_COURSE_ROUNDING * work_of_all(x);
-    memcpy(x->plastic, x->impulse, (size_t)pm_course_size(x) * sizeof *x->impulse);
+    memcpy(x->plastic, x->impulse, (size_t)pm_contact_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < x->n; i++) {
-        pm_course_contact *c = &x->contact[i];
+        pm_contact_course_contact *c = &x->contact[i];
         const double e = c->restitution;
         c->left[0] = e * c->load;
         c->left[1] = -e * e * c->work;
@@ -209,7 +210,7 @@ static int follow_springs(pm_contact_course *x)
     s->n = n;
     s->exponent = x->exponent;
     for (int i = 0; i < n; i++) {
-        const pm_course_contact *c = &x->contact[i];
+        const pm_contact_course_contact *c = &x->contact[i];
         s->spring[i] = (pm_contact_spring){
             .stiffness = c->stiffness, .restitution = c->restitution, .before = x->velocity[2 * i]};
         for (int k = 0; k < n; k++) s->response[i * n + k] = x->response[2 * i * 2 * n + 2 * k];
@@ -227,7 +228,7 @@ static int follow_springs(pm_contact_course *x)
 static double given(const pm_contact_course *x, const double *p)
 {
     double sum = 0, size = 0;
-    for (int i = 0; i < pm_course_size(x); i++) {
+    for (int i = 0; i < pm_contact_course_size(x); i++) {
         const double change = times_row(x, i, p);
         sum += p[i] * (x->start[i] + 0.5 * change);
         size += fabs(p[i]) * (fabs(x->start[i]) + fabs(change));
@@ -239,7 +240,7 @@ static double given(const pm_contact_course *x, const double *p)
 static double share_of(const pm_contact_course *x)
 {
     double a = 0, b = 0;
-    for (int i = 0; i < pm_course_size(x); i++) {
+    for (int i = 0; i < pm_contact_course_size(x); i++) {
         const double more = x->impulse[i] - x->plastic[i];
         b += more * (x->start[i] + times_row(x, i, x->plastic));
         a += 0.5 * more * (times_row(x, i, x->impulse) - times_row(x, i, x->plastic));
@@ -254,8 +255,9 @@ static void limit(pm_contact_course *x)
     x->limited = given(x, x->impulse) > 0;
     if (!x->limited) return;
     const double k = share_of(x);
-    for (int i = 0; i < pm_course_size(x); i++) x->impulse[i] = k * x->impulse[i] + (1 - k) * x->plastic[i];
-    for (int i = 0; i < pm_course_size(x); i++)
+    for (int i = 0; i < pm_contact_course_size(x); i++)
+        x->impulse[i] = k * x->impulse[i] + (1 - k) * x->plastic[i];
+    for (int i = 0; i < pm_contact_course_size(x); i++)
         x->velocity[i] = clean(x, x->start[i] + times_row(x, i, x->impulse));
 }
 
@@ -265,13 +267,13 @@ static void begin(pm_contact_course *x)
     x->limited = 0;
     x->differs = PM_NONE;
     x->size = 0;
-    memset(x->impulse, 0, (size_t)pm_course_size(x) * sizeof *x->impulse);
+    memset(x->impulse, 0, (size_t)pm_contact_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < n; i++) x->size = fmax(x->size, fabs(x->velocity[i]));
     for (int i = 1; i < n; i += 2)
         if (fabs(x->velocity[i]) <= x->no_slip) x->velocity[i] = 0;
     for (int k = 0; k < x->m; k++)
         if (fabs(x->velocity[n + k]) <= x->joint[k].no_slip) x->velocity[n + k] = 0;
-    memcpy(x->start, x->velocity, (size_t)pm_course_size(x) * sizeof *x->start);
+    memcpy(x->start, x->velocity, (size_t)pm_contact_course_size(x) * sizeof *x->start);
 }
 
 int pm_contact_course_follow(pm_contact_course *x)
@@ -280,7 +282,7 @@ int pm_contact_course_follow(pm_contact_course *x)
     take_at_once(x);
     if (x->exponent > 0) return follow_springs(x);
     for (int i = 0; i < x->n; i++) {
-        pm_course_contact *c = &x->contact[i];
+        pm_contact_course_contact *c = &x->contact[i];
         c->before = x->start[2 * i];
         c->load = c->work = 0;
         c->rebounds = 0;
@@ -298,7 +300,7 @@ static int solve_at_once(pm_contact_course *x, int plastic)
 {
     x->stretch.n = x->n;
     for (int i = 0; i < x->n; i++) {
-        pm_problem_contact *c = &x->stretch.contact[i];
+        pm_contact_problem_contact *c = &x->stretch.contact[i];
         const double *u = x->start + 2 * i;
         *c = x->contact[i].friction;
         if (plastic) {
@@ -307,13 +309,13 @@ static int solve_at_once(pm_contact_course *x, int plastic)
         }
         x->of[i] = i;
     }
-    pm_course_pose(x);
+    pm_contact_course_pose(x);
     for (int k = 0; k < x->m; k++) {
         x->joints.joint[k].slips = 0;
         x->joints.joint[k].bias = x->start[2 * x->n + k];
         memcpy(x->joints.joint[k].start, x->joint[k].start, sizeof x->joint[k].start);
     }
-    return pm_course_solve(x);
+    return pm_contact_course_solve(x);
 }
 
 static void take_impulses(const pm_contact_course *x, double *impulse)
@@ -328,7 +330,7 @@ int pm_contact_course_at_once(pm_contact_course *x)
     int found = solve_at_once(x, 0);
     if (found != 1) return found;
     take_impulses(x, x->impulse);
-    for (int i = 0; i < pm_course_size(x); i++)
+    for (int i = 0; i < pm_contact_course_size(x); i++)
         x->velocity[i] = clean(x, x->start[i] + times_row(x, i, x->impulse));
     if (!(given(x, x->impulse) > 0)) return 1;
     if ((found = solve_at_once(x, 1)) != 1) return found;
@@ -339,7 +341,7 @@ int pm_contact_course_at_once(pm_contact_course *x)
 
 int pm_contact_course_is_shared(const pm_contact_course *x)
 {
-    const int n = pm_course_size(x);
+    const int n = pm_contact_course_size(x);
     if (x->exponent > 0) return 0;
     for (int i = 0; i < x->n; i++)
         for (int k = 0; k < i; k++) {

@@ -23,9 +23,9 @@
 #include "impact/contact_springs.h"
 #include "state/arena.h"
 
-typedef struct pm_course_contact {
-    pm_problem_contact friction; /* its bias is read where all is found at once */
-    int law;                     /* enum pm_law */
+typedef struct pm_contact_course_contact {
+    pm_contact_problem_contact friction; /* its bias is read where all is found at once */
+    int law;                             /* enum pm_law */
     double restitution;
     double stiffness; /* beside the others; read where all have one (exponent > 0) */
     int is_spent;     /* its bounce is over: a velocity with which it parts is taken away first */
@@ -38,23 +38,23 @@ typedef struct pm_course_contact {
     double pace;     /* m/s, of the present stretch */
     double share[2]; /* p_n, p_t of it */
     double rate[2];  /* du_n, du_t of it */
-} pm_course_contact;
+} pm_contact_course_contact;
 
-typedef struct pm_course_joint {
+typedef struct pm_contact_course_joint {
     double coefficient, no_slip; /* of friction; rad/s or m/s */
     int nload;                   /* components of the reaction */
     double start[2];    /* reaction without contacts, where all is found at once; in a course it has none */
     double share, rate; /* friction and change of the slip of the present stretch */
-} pm_course_joint;
+} pm_contact_course_joint;
 
 typedef struct pm_contact_course {
     int n, m;
-    pm_course_contact *contact; /* [n] */
-    pm_course_joint *joint;     /* [m] that rub by their load; none where there are stiffnesses */
-    double *response;           /* [2n + m][2n + m] W: contacts, then slips of joints */
-    double *reaction;           /* [2m][2n + m] of the joints */
-    double *velocity;           /* [2n + m] before; what was found: after */
-    double no_slip;             /* m/s: slower than this is no slip */
+    pm_contact_course_contact *contact; /* [n] */
+    pm_contact_course_joint *joint;     /* [m] that rub by their load; none where there are stiffnesses */
+    double *response;                   /* [2n + m][2n + m] W: contacts, then slips of joints */
+    double *reaction;                   /* [2m][2n + m] of the joints */
+    double *velocity;                   /* [2n + m] before; what was found: after */
+    double no_slip;                     /* m/s: slower than this is no slip */
     double
         exponent; /* of all contacts, smooth and with stiffnesses: contact_springs.h says how they share; or 0: the pace */
     /* what was found */
@@ -62,8 +62,8 @@ typedef struct pm_contact_course {
     int limited;     /* it would have gained energy: mixed with the blow without restitution */
     int differs;     /* a contact that tells several motions apart */
     /* scratch */
-    pm_contact_problem stretch; /* of the contacts of[] */
-    pm_joints_problem joints;   /* the same with joints */
+    pm_contact_problem stretch;       /* of the contacts of[] */
+    pm_contact_problem_joints joints; /* the same with joints */
     pm_contact_springs springs;
     int *of, *pivot;
     double *start, *plastic, *system;

@@ -29,7 +29,7 @@ static void list(pm_workspace *w, pm_contact_system *x, int32_t *before)
     }
     pm_contact_system_friction(&w->frame, x);
     for (int i = 0; i < x->problem.n; i++) {
-        pm_problem_contact *c = &x->problem.contact[i];
+        pm_contact_problem_contact *c = &x->problem.contact[i];
         pm_slot *s = &w->state.slot[x->slot[i]];
         const double slip =
             pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, x->slot[i]), s->member);

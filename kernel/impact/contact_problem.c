@@ -49,13 +49,13 @@ int pm_contact_problem_create(pm_contact_problem *x, pm_arena *arena, int most)
 }
 
 /* ---- scale ---- */
-int pm_problem_is_smooth(const pm_problem_contact *c)
+int pm_contact_problem_is_smooth(const pm_contact_problem_contact *c)
 {
     return c->friction == PM_FRICTION_SMOOTH ||
            (c->friction == PM_FRICTION_COULOMB && c->hold == 0 && c->rub == 0);
 }
 
-double pm_problem_friction(const pm_contact_problem *x, int i, double mu)
+double pm_contact_problem_friction(const pm_contact_problem *x, int i, double mu)
 {
     return x->scale[2 * i + 1] > 0 ? mu * x->scale[2 * i] / x->scale[2 * i + 1] : 0;
 }
@@ -88,7 +88,7 @@ static int sense(int mode) { return (mode == PM_SLIDE_FORWARD) - (mode == PM_SLI
 /* T/N of a contact that slides so, and 0 of one that does not. */
 static double ratio(const pm_contact_problem *x, int i, int mode)
 {
-    return sense(mode) ? -sense(mode) * pm_problem_friction(x, i, x->contact[i].rub) : 0;
+    return sense(mode) ? -sense(mode) * pm_contact_problem_friction(x, i, x->contact[i].rub) : 0;
 }
 
 /* The equations of the trial: a_n = 0 where closed, a_t = 0 where it sticks; how many. */
@@ -151,19 +151,19 @@ static double slack(const pm_contact_problem *x)
 
 static int contact_holds(const pm_contact_problem *x, int i, double slack)
 {
-    const pm_problem_contact *c = &x->contact[i];
+    const pm_contact_problem_contact *c = &x->contact[i];
     const double load = x->p[2 * i], friction = x->p[2 * i + 1], *a = x->a + 2 * i;
     if (a[0] < -slack) return 0;
     if (x->trial[i] == PM_OPEN) return 1;
     if (load < -slack || a[0] > slack) return 0;
     if (sense(x->trial[i])) return c->slips || sense(x->trial[i]) * a[1] >= -slack;
-    if (pm_problem_is_smooth(c)) return 1;
+    if (pm_contact_problem_is_smooth(c)) return 1;
     if (fabs(a[1]) > slack && x->scale[2 * i + 1] > 0) return 0;
     return c->friction == PM_FRICTION_ROUGH ||
-           fabs(friction) <= pm_problem_friction(x, i, c->hold) * load + slack;
+           fabs(friction) <= pm_contact_problem_friction(x, i, c->hold) * load + slack;
 }
 
-int pm_problem_loads_hold(pm_contact_problem *x)
+int pm_contact_problem_loads_hold(pm_contact_problem *x)
 {
     rates(x);
     const double tie = slack(x);
@@ -172,16 +172,19 @@ int pm_problem_loads_hold(pm_contact_problem *x)
     return 1;
 }
 
-int pm_problem_trial_holds(pm_contact_problem *x) { return solve_trial(x) && pm_problem_loads_hold(x); }
+int pm_contact_problem_trial_holds(pm_contact_problem *x)
+{
+    return solve_trial(x) && pm_contact_problem_loads_hold(x);
+}
 
 /* ---- what was found ---- */
 /* The mode of the motion; in a tie what the contact prefers. */
 static int mode_of_motion(const pm_contact_problem *x, int i, double tie)
 {
-    const pm_problem_contact *c = &x->contact[i];
+    const pm_contact_problem_contact *c = &x->contact[i];
     const double *a = x->a + 2 * i;
     if (a[0] > tie || (c->prefers == PM_OPEN && x->p[2 * i] <= tie)) return PM_OPEN;
-    if (pm_problem_is_smooth(c)) return PM_SMOOTH;
+    if (pm_contact_problem_is_smooth(c)) return PM_SMOOTH;
     if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     if (fabs(a[1]) > tie) return a[1] > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     return sense(c->prefers) && sense(x->trial[i]) == sense(c->prefers) ? c->prefers : PM_STICK;
@@ -219,11 +222,11 @@ static int sticks_by_law(const pm_contact_problem *x)
  * one that others keep from slipping may have no friction of its own. */
 static int next_mode(const pm_contact_problem *x, int i, int mode)
 {
-    const pm_problem_contact *c = &x->contact[i];
+    const pm_contact_problem_contact *c = &x->contact[i];
     const int slides = c->friction == PM_FRICTION_COULOMB && x->scale[2 * i + 1] > 0;
     switch (mode) {
     case PM_NONE:
-        if (pm_problem_is_smooth(c)) return PM_SMOOTH;
+        if (pm_contact_problem_is_smooth(c)) return PM_SMOOTH;
         return c->slips > 0 ? PM_SLIDE_FORWARD : c->slips < 0 ? PM_SLIDE_BACKWARD : PM_STICK;
     case PM_STICK: return slides ? PM_SLIDE_FORWARD : c->friction == PM_FRICTION_ROUGH ? PM_SMOOTH : PM_OPEN;
     case PM_SLIDE_FORWARD: return c->slips ? PM_OPEN : PM_SLIDE_BACKWARD;
@@ -265,7 +268,7 @@ static void enumerate(pm_contact_problem *x, double unit)
     double slowest = 0;
     for (int i = 0; i < x->n; i++) x->trial[i] = next_mode(x, i, PM_NONE);
     do {
-        if (!pm_problem_trial_holds(x)) continue;
+        if (!pm_contact_problem_trial_holds(x)) continue;
         const int law = sticks_by_law(x),
                   other =
                       x->nmotion > 0 ? difference(x, PM_PROBLEM_SAME / PM_PROBLEM_TIE * slack(x)) : PM_NONE;
@@ -288,12 +291,12 @@ int pm_contact_problem_solve(pm_contact_problem *x)
     const double unit = scale_problem(x);
     x->nmotion = 0;
     x->differs = PM_NONE;
-    if (x->n > x->counted && pm_problem_lemke(x)) {
+    if (x->n > x->counted && pm_contact_problem_lemke(x)) {
         x->nmotion = 1;
         keep(x, unit);
     } else if (x->n <= x->tried) {
         enumerate(x, unit);
-    } else if (pm_problem_sweeps(x)) {
+    } else if (pm_contact_problem_sweeps(x)) {
         x->nmotion = 1;
         keep(x, unit);
     }

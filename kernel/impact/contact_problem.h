@@ -16,21 +16,21 @@
 #include "state/arena.h"
 
 /* One contact as the problem is given. */
-typedef struct pm_problem_contact {
+typedef struct pm_contact_problem_contact {
     int friction;     /* enum pm_friction; Coulomb with both coefficients 0 counts as smooth */
     double hold, rub; /* static and kinetic coefficients */
     int slips;        /* +1, -1: it slips that way already; 0: it may stick */
     int prefers;      /* enum pm_contact_mode that it takes in a tie; PM_NONE: closed, sticking */
     double bias[2];   /* b_n, b_t */
-} pm_problem_contact;
+} pm_contact_problem_contact;
 
 typedef struct pm_contact_problem {
     int n;             /* contacts */
     int counted;       /* up to so many all modes are tried */
     int tried;         /* up to so many where Lemke's method finds nothing, too */
     int tries, sweeps; /* beginnings of Lemke's method; sweeps over the contacts where all else fails */
-    pm_problem_contact *contact; /* [n] */
-    double *response;            /* [2n][2n] W */
+    pm_contact_problem_contact *contact; /* [n] */
+    double *response;                    /* [2n][2n] W */
     /* what was found */
     int *mode;    /* [n] enum pm_contact_mode */
     double *load; /* [2n] p */

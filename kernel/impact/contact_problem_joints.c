@@ -12,8 +12,8 @@
 #include "planemotion.h"
 #include "state/state.h"
 
-int pm_joints_problem_create(pm_joints_problem *x, pm_arena *arena, pm_contact_problem *contacts, int most,
-                             int joints)
+int pm_contact_problem_joints_create(pm_contact_problem_joints *x, pm_arena *arena,
+                                     pm_contact_problem *contacts, int most, int joints)
 {
     const size_t two = 2 * (size_t)most, m = joints, all = two + m;
     const pm_array array[] = {
@@ -35,21 +35,21 @@ int pm_joints_problem_create(pm_joints_problem *x, pm_arena *arena, pm_contact_p
 }
 
 static int sense(int mode) { return (mode == PM_SLIDE_FORWARD) - (mode == PM_SLIDE_BACKWARD); }
-static int contacts_of(const pm_joints_problem *x) { return 2 * x->contacts->n; }
-static int all_of(const pm_joints_problem *x) { return 2 * x->contacts->n + x->m; }
+static int contacts_of(const pm_contact_problem_joints *x) { return 2 * x->contacts->n; }
+static int all_of(const pm_contact_problem_joints *x) { return 2 * x->contacts->n + x->m; }
 
 /* ---- one mode ---- */
 /* Of the reaction of joint k along its direction: by a unit load in direction i. */
-static double along(const pm_joints_problem *x, int k, int i)
+static double along(const pm_contact_problem_joints *x, int k, int i)
 {
     const double *l = x->reaction + 2 * k * all_of(x);
     return x->joint[k].along[0] * l[i] + x->joint[k].along[1] * l[all_of(x) + i];
 }
 
 /* What friction k obeys: coefficient of F_j (j >= 0), of p_i (i >= 0), or what is left (both PM_NONE). */
-static double entry(const pm_joints_problem *x, int k, int j, int i)
+static double entry(const pm_contact_problem_joints *x, int k, int j, int i)
 {
-    const pm_problem_joint *c = &x->joint[k];
+    const pm_contact_problem_joint *c = &x->joint[k];
     const int n = contacts_of(x), at = j >= 0 ? n + j : i;
     const double load = sense(c->mode) * c->coefficient;
     if (c->mode == PM_STICK) return at == PM_NONE ? c->bias : x->response[(n + k) * all_of(x) + at];
@@ -58,7 +58,7 @@ static double entry(const pm_joints_problem *x, int k, int j, int i)
 }
 
 /* F = given (1, p); 0 if the mode does not tell it. */
-static int give_friction(pm_joints_problem *x)
+static int give_friction(pm_contact_problem_joints *x)
 {
     const int n = contacts_of(x), m = x->m;
     for (int k = 0; k < m; k++)
@@ -73,7 +73,7 @@ static int give_friction(pm_joints_problem *x)
 }
 
 /* The contacts with friction taken out. */
-static void reduce(pm_joints_problem *x)
+static void reduce(pm_contact_problem_joints *x)
 {
     const int n = contacts_of(x), all = all_of(x);
     for (int r = 0; r < n; r++)
@@ -97,7 +97,7 @@ static void add(pm_total *to, double x)
 }
 
 /* Of a row of W or L, over contacts and joints. */
-static pm_total total(const pm_joints_problem *x, double start, const double *row)
+static pm_total total(const pm_contact_problem_joints *x, double start, const double *row)
 {
     const int n = contacts_of(x);
     pm_total t = {0, 0};
@@ -107,17 +107,17 @@ static pm_total total(const pm_joints_problem *x, double start, const double *ro
     return t;
 }
 
-static pm_total reaction(const pm_joints_problem *x, int k, int component)
+static pm_total reaction(const pm_contact_problem_joints *x, int k, int component)
 {
     return total(x, x->joint[k].start[component], x->reaction + (2 * k + component) * all_of(x));
 }
 
-static pm_total slip(const pm_joints_problem *x, int k)
+static pm_total slip(const pm_contact_problem_joints *x, int k)
 {
     return total(x, x->joint[k].bias, x->response + (contacts_of(x) + k) * all_of(x));
 }
 
-static void find_friction(pm_joints_problem *x)
+static void find_friction(pm_contact_problem_joints *x)
 {
     const int n = contacts_of(x);
     for (int k = 0; k < x->m; k++) {
@@ -133,9 +133,9 @@ static void find_friction(pm_joints_problem *x)
 /* What joint k does not obey. */
 typedef enum pm_broken { PM_HOLDS, PM_LETS_GO, PM_HOLDS_STILL, PM_TURNS } pm_broken;
 
-static pm_broken broken(const pm_joints_problem *x, int k)
+static pm_broken broken(const pm_contact_problem_joints *x, int k)
 {
-    const pm_problem_joint *c = &x->joint[k];
+    const pm_contact_problem_joint *c = &x->joint[k];
     const pm_total r[2] = {reaction(x, k, 0), reaction(x, k, 1)}, s = slip(x, k);
     const double size = hypot(r[0].sum, r[1].sum), tie = PM_PROBLEM_TIE * (r[0].size + r[1].size);
     if (c->mode == PM_STICK)
@@ -145,11 +145,11 @@ static pm_broken broken(const pm_joints_problem *x, int k)
 }
 
 /* The directions of the bearings' reactions, as they are now; how much the greatest of them has turned. */
-static double turn(pm_joints_problem *x)
+static double turn(pm_contact_problem_joints *x)
 {
     double most = 0;
     for (int k = 0; k < x->m; k++) {
-        pm_problem_joint *c = &x->joint[k];
+        pm_contact_problem_joint *c = &x->joint[k];
         if (c->nload == 1) continue;
         const double r[2] = {reaction(x, k, 0).sum, reaction(x, k, 1).sum}, size = hypot(r[0], r[1]);
         if (!(size > 0)) continue;
@@ -160,7 +160,7 @@ static double turn(pm_joints_problem *x)
 }
 
 /* The motions in the mode of the joints that is tried; 0 if it has none, whether it holds or not. */
-static int solve_mode(pm_joints_problem *x)
+static int solve_mode(pm_contact_problem_joints *x)
 {
     int found = 0;
     for (int i = 0; i < PM_JOINTS_TURNS; i++) {
@@ -174,7 +174,7 @@ static int solve_mode(pm_joints_problem *x)
     return 0;
 }
 
-static int all_hold(const pm_joints_problem *x)
+static int all_hold(const pm_contact_problem_joints *x)
 {
     for (int k = 0; k < x->m; k++)
         if (broken(x, k) != PM_HOLDS) return 0;
@@ -182,7 +182,7 @@ static int all_hold(const pm_joints_problem *x)
 }
 
 /* ---- what was found ---- */
-static void keep(pm_joints_problem *x)
+static void keep(pm_contact_problem_joints *x)
 {
     const size_t n = contacts_of(x);
     memcpy(x->load, x->contacts->load, n * sizeof *x->load);
@@ -191,7 +191,7 @@ static void keep(pm_joints_problem *x)
     memcpy(x->kept, x->joint, (size_t)x->m * sizeof *x->joint);
 }
 
-static void take(pm_joints_problem *x)
+static void take(pm_contact_problem_joints *x)
 {
     const size_t n = contacts_of(x);
     memcpy(x->contacts->load, x->load, n * sizeof *x->load);
@@ -201,7 +201,7 @@ static void take(pm_joints_problem *x)
 }
 
 /* A contact that moves otherwise than in the motion that is kept (0 if joints alone do), or PM_NONE. */
-static int difference(const pm_joints_problem *x)
+static int difference(const pm_contact_problem_joints *x)
 {
     double size = 0;
     for (int i = 0; i < contacts_of(x); i++) size = fmax(size, fabs(x->bias[i]) + fabs(x->rate[i]));
@@ -214,7 +214,7 @@ static int difference(const pm_joints_problem *x)
 
 /* ---- the modes ---- */
 /* Mode number i of a joint: it holds, slides forward or backward; from which side a slider is pressed.  0: there is none. */
-static int set_mode(pm_problem_joint *c, int i)
+static int set_mode(pm_contact_problem_joint *c, int i)
 {
     static const int mode[] = {PM_STICK, PM_SLIDE_FORWARD, PM_SLIDE_BACKWARD};
     const int sides = c->nload == 1 ? 2 : 1;
@@ -228,14 +228,14 @@ static int set_mode(pm_problem_joint *c, int i)
 }
 
 /* A joint that slips already goes on; one that holds has no side. */
-static int is_mode(const pm_problem_joint *c)
+static int is_mode(const pm_contact_problem_joint *c)
 {
     if (c->slips) return sense(c->mode) == c->slips;
     return c->mode != PM_STICK || c->nload == 2 || c->along[0] > 0;
 }
 
 /* The next mode of all joints after number at[]; 0 after the last. */
-static int next_mode(pm_joints_problem *x, int *at)
+static int next_mode(pm_contact_problem_joints *x, int *at)
 {
     for (int k = 0; k < x->m; k++) {
         while (set_mode(&x->joint[k], ++at[k]))
@@ -246,7 +246,7 @@ static int next_mode(pm_joints_problem *x, int *at)
 }
 
 /* Bearings begin with the reactions that they would have without friction of joints. */
-static void begin(pm_joints_problem *x, int *at)
+static void begin(pm_contact_problem_joints *x, int *at)
 {
     for (int k = 0; k < x->m; k++) {
         x->joint[k].mode = PM_OPEN;
@@ -258,7 +258,7 @@ static void begin(pm_joints_problem *x, int *at)
         for (at[k] = 0; set_mode(&x->joint[k], at[k]) && !is_mode(&x->joint[k]);) at[k]++;
 }
 
-static int try_all(pm_joints_problem *x)
+static int try_all(pm_contact_problem_joints *x)
 {
     int at[PM_JOINTS_COUNTED], motions = 0;
     begin(x, at);
@@ -276,9 +276,9 @@ static int try_all(pm_joints_problem *x)
 }
 
 /* Joint k obeys what it has not obeyed. */
-static void mend(pm_joints_problem *x, int k, pm_broken what)
+static void mend(pm_contact_problem_joints *x, int k, pm_broken what)
 {
-    pm_problem_joint *c = &x->joint[k];
+    pm_contact_problem_joint *c = &x->joint[k];
     if (what == PM_TURNS) c->along[0] = -c->along[0];
     if (what == PM_HOLDS_STILL) c->mode = PM_STICK;
     if (what != PM_LETS_GO) return;
@@ -286,10 +286,10 @@ static void mend(pm_joints_problem *x, int k, pm_broken what)
     if (c->nload == 1) c->along[0] = copysign(1, reaction(x, k, 0).sum);
 }
 
-static int mend_one_by_one(pm_joints_problem *x)
+static int mend_one_by_one(pm_contact_problem_joints *x)
 {
     for (int k = 0; k < x->m; k++) {
-        pm_problem_joint *c = &x->joint[k];
+        pm_contact_problem_joint *c = &x->joint[k];
         c->mode = c->slips > 0 ? PM_SLIDE_FORWARD : c->slips < 0 ? PM_SLIDE_BACKWARD : PM_STICK;
         c->along[0] = 1;
         c->along[1] = 0;
@@ -308,7 +308,7 @@ static int mend_one_by_one(pm_joints_problem *x)
     return 0;
 }
 
-int pm_joints_problem_solve(pm_joints_problem *x)
+int pm_contact_problem_joints_solve(pm_contact_problem_joints *x)
 {
     x->differs = PM_NONE;
     return x->m <= PM_JOINTS_COUNTED ? try_all(x) : mend_one_by_one(x);

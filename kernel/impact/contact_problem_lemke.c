@@ -16,8 +16,8 @@
  * Others have N alone.  Rough tangents take part as the trial says: they hold, or are out. */
 static int terms(const pm_contact_problem *x, int i)
 {
-    const pm_problem_contact *c = &x->contact[i];
-    return c->friction == PM_FRICTION_COULOMB && !pm_problem_is_smooth(c) && !c->slips &&
+    const pm_contact_problem_contact *c = &x->contact[i];
+    return c->friction == PM_FRICTION_COULOMB && !pm_contact_problem_is_smooth(c) && !c->slips &&
                    x->scale[2 * i + 1] > 0
                ? 3
                : 1;
@@ -53,9 +53,9 @@ static void pose_contact(const pm_contact_problem *x, const double *w, const dou
         if (r == 2) break;
         q[at + r] = b[2 * i + (r > 0)];
         for (int k = 0; k < x->n; k++) {
-            const double mu = terms(x, k) == 3 ? pm_problem_friction(x, k, x->contact[k].rub)
+            const double mu = terms(x, k) == 3 ? pm_contact_problem_friction(x, k, x->contact[k].rub)
                               : x->contact[k].slips
-                                  ? x->contact[k].slips * pm_problem_friction(x, k, x->contact[k].rub)
+                                  ? x->contact[k].slips * pm_contact_problem_friction(x, k, x->contact[k].rub)
                                   : 0;
             matrix[(at + r) * m + first[k]] = row[2 * k] - mu * row[2 * k + 1];
             if (terms(x, k) == 3) matrix[(at + r) * m + first[k] + 1] = row[2 * k + 1];
@@ -63,7 +63,7 @@ static void pose_contact(const pm_contact_problem *x, const double *w, const dou
     }
     if (terms(x, i) < 3) return;
     matrix[(at + 1) * m + at + 2] = 1;
-    matrix[(at + 2) * m + at] = 2 * pm_problem_friction(x, i, x->contact[i].rub);
+    matrix[(at + 2) * m + at] = 2 * pm_contact_problem_friction(x, i, x->contact[i].rub);
     matrix[(at + 2) * m + at + 1] = -1;
     q[at + 2] = 0;
 }
@@ -71,10 +71,10 @@ static void pose_contact(const pm_contact_problem *x, const double *w, const dou
 /* The mode that the loads N and T of contact i tell. */
 static int mode_of_loads(const pm_contact_problem *x, int i, double load, double friction, double tie)
 {
-    const pm_problem_contact *c = &x->contact[i];
-    const double room = pm_problem_friction(x, i, c->rub) * load - fabs(friction);
+    const pm_contact_problem_contact *c = &x->contact[i];
+    const double room = pm_contact_problem_friction(x, i, c->rub) * load - fabs(friction);
     if (load <= tie) return PM_OPEN;
-    if (pm_problem_is_smooth(c)) return PM_SMOOTH;
+    if (pm_contact_problem_is_smooth(c)) return PM_SMOOTH;
     if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     if (c->friction == PM_FRICTION_ROUGH) return x->trial[i];
     if (room > tie || x->scale[2 * i + 1] == 0) return PM_STICK;
@@ -105,9 +105,10 @@ static int lemke(pm_contact_problem *x, int try)
     const double tie = PM_PROBLEM_LEMKE_TIE * largest_of(m, z);
     for (int i = 0; i < x->n; i++) {
         const double load = z[first[i]],
-                     friction = terms(x, i) == 3
-                                    ? z[first[i] + 1] - pm_problem_friction(x, i, x->contact[i].rub) * load
-                                    : 0;
+                     friction =
+                         terms(x, i) == 3
+                             ? z[first[i] + 1] - pm_contact_problem_friction(x, i, x->contact[i].rub) * load
+                             : 0;
         x->trial[i] = mode_of_loads(x, i, load, friction, tie);
     }
     return 1;
@@ -119,12 +120,12 @@ static int lemke_rounds(pm_contact_problem *x, int try)
     for (int i = 0; i < x->n; i++) x->trial[i] = PM_STICK;
     for (int round = 0; round <= x->n; round++) {
         if (!lemke(x, try)) return 0;
-        if (pm_problem_trial_holds(x)) return 1;
+        if (pm_contact_problem_trial_holds(x)) return 1;
     }
     return 0;
 }
 
-int pm_problem_lemke(pm_contact_problem *x)
+int pm_contact_problem_lemke(pm_contact_problem *x)
 {
     for (int try = 0; try < x->tries; try++)
         if (lemke_rounds(x, try)) return 1;

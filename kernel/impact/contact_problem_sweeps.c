@@ -24,7 +24,7 @@ static own look_at(const pm_contact_problem *x, int i)
              w[a * n + a],
              w[a * n + b],
              w[b * n + b],
-             pm_problem_friction(x, i, x->contact[i].rub)};
+             pm_contact_problem_friction(x, i, x->contact[i].rub)};
     for (int k = 0; k < n; k++) {
         if (k == a || k == b) continue;
         o.q[0] += w[a * n + k] * x->p[k];
@@ -59,14 +59,14 @@ static int sticks(const own *o, int bounded, double p[2])
 /* The mode in which it has the loads p. */
 static int solve_one(const pm_contact_problem *x, int i, double p[2])
 {
-    const pm_problem_contact *c = &x->contact[i];
+    const pm_contact_problem_contact *c = &x->contact[i];
     const own o = look_at(x, i);
     const int rough = c->friction == PM_FRICTION_ROUGH;
     p[0] = p[1] = 0;
     if (o.q[0] >= 0) return PM_OPEN;
-    if (pm_problem_is_smooth(c) || x->scale[2 * i + 1] == 0) {
+    if (pm_contact_problem_is_smooth(c) || x->scale[2 * i + 1] == 0) {
         p[0] = load_sliding(&o, 0);
-        return pm_problem_is_smooth(c) ? PM_SMOOTH : PM_STICK;
+        return pm_contact_problem_is_smooth(c) ? PM_SMOOTH : PM_STICK;
     }
     if (!c->slips && sticks(&o, !rough, p)) return PM_STICK;
     if (rough) return p[0] = p[1] = 0, PM_OPEN;
@@ -95,12 +95,12 @@ static int holds(pm_contact_problem *x)
 {
     const size_t bytes = 2 * (size_t)x->n * sizeof *x->p;
     memcpy(x->best, x->p, bytes);
-    if (pm_problem_trial_holds(x)) return 1;
+    if (pm_contact_problem_trial_holds(x)) return 1;
     memcpy(x->p, x->best, bytes);
-    return pm_problem_loads_hold(x); /* loads that are not unique solve no equations */
+    return pm_contact_problem_loads_hold(x); /* loads that are not unique solve no equations */
 }
 
-int pm_problem_sweeps(pm_contact_problem *x)
+int pm_contact_problem_sweeps(pm_contact_problem *x)
 {
     memset(x->p, 0, 2 * (size_t)x->n * sizeof *x->p);
     for (int i = 1; i <= x->sweeps; i++) {

@@ -80,7 +80,7 @@ void pm_contact_system_friction(const pm_frame *frame, pm_contact_system *x)
 {
     for (int i = 0; i < x->problem.n; i++) {
         const int contact = pm_contact_of_slot(frame->model, x->slot[i]);
-        x->problem.contact[i] = (pm_problem_contact){
+        x->problem.contact[i] = (pm_contact_problem_contact){
             .friction = pm_contact_friction(frame->model, contact),
             .hold = pm_contact_static(frame, contact),
             .rub = pm_contact_kinetic(frame, contact),

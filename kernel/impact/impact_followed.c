@@ -84,7 +84,7 @@ void pm_impact_pose_course(pm_workspace *w, pm_blow *b)
         c->velocity[i] = pm_constraint_times(&w->frame, direction(x, i), x->free) - direction(x, i)->rate;
     for (int i = 0; i < c->n; i++) {
         const int contact = pm_contact_of_slot(w->model, x->slot[i]);
-        c->contact[i] = (pm_course_contact){
+        c->contact[i] = (pm_contact_course_contact){
             .friction = x->problem.contact[i],
             .law = pm_contact_law(w->model, contact),
             .restitution = restitution_of(w, b, c, x->slot[i], c->velocity[2 * i]),

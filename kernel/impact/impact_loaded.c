@@ -123,8 +123,8 @@ static void pose(pm_workspace *w, pm_blow *b)
     for (int k = 0; k < c->m; k++) {
         const int of = b->loaded.friction[k];
         const pm_constraint *along = &b->loaded.along[k];
-        c->joint[k] = (pm_course_joint){.coefficient = pm_joint_friction_coefficient(&w->frame, of),
-                                        .no_slip = pm_joint_friction_no_slip(&w->frame, of)};
+        c->joint[k] = (pm_contact_course_joint){.coefficient = pm_joint_friction_coefficient(&w->frame, of),
+                                                .no_slip = pm_joint_friction_no_slip(&w->frame, of)};
         c->joint[k].nload = pm_joint_friction_loads(w, of, w->saddle.rhs, c->joint[k].start);
         c->velocity[n + k] = pm_constraint_times(&w->frame, along, x->free) - along->rate;
     }

@@ -37,7 +37,7 @@ static int follow(pm_workspace *w, pm_blow *b, int i, const double *u)
     for (int k = 0; k < 4; k++)
         c->response[k] = b->system.problem.response[(2 * i + k / 2) * n + 2 * i + k % 2];
     memcpy(c->velocity, u, 2 * sizeof *u);
-    c->contact[0] = (pm_course_contact){
+    c->contact[0] = (pm_contact_course_contact){
         .friction = b->system.problem.contact[i],
         .law = pm_contact_law(w->model, contact),
         .restitution = pm_last_bounce_restitution(w, contact, u[0]),

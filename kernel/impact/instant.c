@@ -312,7 +312,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
     if (!status) status = pm_switches_check(w);
     if (!status) status = pm_switches_settle(w, 0);
     if (!status) status = pm_event_check_strands(w);
-    if (!status) status = pm_event_check_tracks(w);
+    if (!status) status = pm_track_check(w);
     if (!status && w->step.reverses) status = mark_reversal(w);
     const int located = pm_event_evidence_located(w);
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];

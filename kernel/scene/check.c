@@ -12,8 +12,8 @@ int pm_check_directory(pm_model *m, int64_t ntable, const int32_t *table, pm_whe
     if (ntable < 2 * PM_TABLES) return pm_bad_table(where, PM_NONE, 0, (double)ntable, 2 * PM_TABLES);
     for (int i = 0; i < PM_TABLES; i++) {
         const int64_t first = table[2 * i], rows = table[2 * i + 1];
-        if (first < 0 || rows < 0 || first + rows * pm_table_columns[i] > ntable)
-            return pm_bad_table(where, i, PM_NONE, (double)(first + rows * pm_table_columns[i]),
+        if (first < 0 || rows < 0 || first + rows * pm_reference_columns[i] > ntable)
+            return pm_bad_table(where, i, PM_NONE, (double)(first + rows * pm_reference_columns[i]),
                                 (double)ntable);
         m->table[i] = table + first;
         m->rows[i] = (int)rows;
@@ -62,7 +62,7 @@ static int check_spans(const pm_model *m, pm_where *where)
     for (size_t k = 0; k < sizeof spans / sizeof *spans; k++) {
         const pm_span *x = &spans[k];
         for (int i = 0; i < m->rows[x->table]; i++) {
-            const int value = pm_model_row(m, x->table, i, pm_table_columns[x->table])[x->column];
+            const int value = pm_model_row(m, x->table, i, pm_reference_columns[x->table])[x->column];
             if (value < x->low || value > x->high) return pm_bad_table(where, x->table, i, value, x->told);
         }
     }

@@ -57,7 +57,7 @@ static int check_curves(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++)
         if (PM_CURVE_ROW(m, i)[PM_CURVE_SIDE] == 0) return pm_bad_table(where, PM_TABLE_CURVE, i, 0, 1);
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
-        const int measure = pm_program_reads(m, i, is_of_curve(m, i) ? is_no_place : is_place);
+        const int measure = pm_program_walk_reads(m, i, is_of_curve(m, i) ? is_no_place : is_place);
         if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_PROGRAM, i, measure, PM_NONE);
         if (is_of_curve(m, i) && reads_table(m, i))
             return pm_bad_table(where, PM_TABLE_PROGRAM, i, PM_NONE, PM_NONE);
@@ -77,7 +77,7 @@ static int check_modes_of(const pm_model *m, int table, int row, pm_where *where
     pm_reference of[PM_REFERENCES];
     const int n = pm_reference_of(m, table, row, of);
     for (int k = 0; k < n; k++) {
-        if (of[k].of != PM_TABLE_PROGRAM || pm_program_reads(m, of[k].index, is_of_modes) == PM_NONE)
+        if (of[k].of != PM_TABLE_PROGRAM || pm_program_walk_reads(m, of[k].index, is_of_modes) == PM_NONE)
             continue;
         if (table != PM_TABLE_ASK || of[k].column != PM_ASK_PROGRAM ||
             pm_model_ask_watches(PM_ASK_ROW(m, row)))
@@ -105,7 +105,7 @@ static int check_forces(const pm_model *m, pm_where *where)
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
             return pm_bad_table(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
         for (int k = 0; k < pm_force_kind(kind)->programs; k++) {
-            const int measure = pm_program_reads(m, e[PM_FORCE_PROGRAM_X + k], needs_forces);
+            const int measure = pm_program_walk_reads(m, e[PM_FORCE_PROGRAM_X + k], needs_forces);
             if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_FORCE, i, measure, PM_NONE);
         }
     }
@@ -118,7 +118,7 @@ static int check_impulses(const pm_model *m, pm_where *where)
     for (int i = 0; i < m->rows[PM_TABLE_ACTION]; i++)
         for (int k = PM_ACTION_PROGRAM_X; k <= PM_ACTION_PROGRAM_Y; k++) {
             const int program = PM_ACTION_ROW(m, i)[k];
-            const int measure = program < 0 ? PM_NONE : pm_program_reads(m, program, is_dynamic);
+            const int measure = program < 0 ? PM_NONE : pm_program_walk_reads(m, program, is_dynamic);
             if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_ACTION, i, measure, PM_NONE);
         }
     return PM_OK;
@@ -128,7 +128,7 @@ static int check_drives(const pm_model *m, pm_where *where)
 {
     int table = PM_NONE, row = PM_NONE, program;
     for (int k = 0; (program = pm_reference_drive(m, k, &table, &row)) != PM_NONE; k++)
-        if (pm_program_reads(m, program, is_no_time) != PM_NONE)
+        if (pm_program_walk_reads(m, program, is_no_time) != PM_NONE)
             return pm_bad_table(where, table, row, program, PM_NONE);
     return PM_OK;
 }
@@ -146,7 +146,7 @@ static int check_spin(const pm_model *m, pm_where *where)
             return pm_bad_table(where, PM_TABLE_MEASURE, i, kind, 0);
     }
     const int couple = n > 0 ? pm_model_row(m, PM_TABLE_SPIN, 0, PM_SPIN_COLUMNS)[PM_SPIN_COUPLE] : PM_NONE;
-    const int measure = couple < 0 ? PM_NONE : pm_program_reads(m, couple, is_dynamic);
+    const int measure = couple < 0 ? PM_NONE : pm_program_walk_reads(m, couple, is_dynamic);
     return measure == PM_NONE ? PM_OK : pm_bad_table(where, PM_TABLE_SPIN, 0, measure, PM_NONE);
 }
 

@@ -28,7 +28,7 @@ static void unite(pm_dependency *x, const int body[2])
 /* The bodies that a joint, contact or force acts on.  An applied force only takes its axes from its second one. */
 static void bodies_of(const pm_model *m, int table, int row, int body[2])
 {
-    const int32_t *e = pm_model_row(m, table, row, pm_table_columns[table]);
+    const int32_t *e = pm_model_row(m, table, row, pm_reference_columns[table]);
     if (table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_FRICTION) {
         bodies_of(m, PM_TABLE_JOINT, e[PM_FORCE_A], body);
         return;
@@ -82,7 +82,7 @@ static int is_about_everything(int table, const int32_t *e)
 /* What row i of a table refers to. */
 static int follow(const pm_model *m, pm_dependency *x, int table, int i)
 {
-    const int32_t *e = pm_model_row(m, table, i, pm_table_columns[table]);
+    const int32_t *e = pm_model_row(m, table, i, pm_reference_columns[table]);
     pm_reference ref[PM_REFERENCES];
     int more = 0;
     const int n = pm_reference_of(m, table, i, ref);

@@ -100,7 +100,7 @@ static int combine(const pm_program_walk *x, int a, int b)
 int pm_program_degree_of(const pm_frame *frame, const pm_constant_motion *x, int program)
 {
     static const pm_program_rules rules = {read_degree, alone, combine};
-    return pm_program_class_by(frame->model, program, &rules, &(pm_curve_of){frame, x});
+    return pm_program_rules_apply(frame->model, program, &rules, &(pm_curve_of){frame, x});
 }
 
 int pm_program_degree_is_size(const pm_frame *frame, const pm_constant_motion *x, int program)

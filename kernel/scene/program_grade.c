@@ -49,7 +49,7 @@ static int of_one(const pm_program_walk *x, int a)
 int pm_program_grade_class(const pm_model *m, int program)
 {
     static const pm_program_rules rules = {read_class, of_one, of_two};
-    return pm_program_class_by(m, program, &rules, NULL);
+    return pm_program_rules_apply(m, program, &rules, NULL);
 }
 
 /* ---- how it goes with the kinetic energy ---- */
@@ -132,7 +132,7 @@ static int read_energy(const pm_program_walk *x, const void *none)
 int pm_program_grade_energy(const pm_model *m, int program)
 {
     static const pm_program_rules rules = {read_energy, unary, binary};
-    return pm_program_class_by(m, program, &rules, NULL);
+    return pm_program_rules_apply(m, program, &rules, NULL);
 }
 
 /* ---- all programs ---- */

@@ -34,7 +34,7 @@ static int create(const pm_model *m, const pm_dependency *needed, pm_reduction *
     *x = (pm_reduction){.m = m, .needed = needed, .ntable = 2 * PM_TABLES};
     for (int of = 0; of < PM_TABLES; of++) {
         for (int i = 0; i < m->rows[of]; i++) x->rows[of] += needed->row[of][i] != 0;
-        x->ntable += (int64_t)x->rows[of] * pm_table_columns[of];
+        x->ntable += (int64_t)x->rows[of] * pm_reference_columns[of];
         all += m->rows[of];
     }
     x->table = calloc((size_t)(x->ntable + 2 * all), sizeof *x->table);
@@ -60,10 +60,10 @@ static void number(pm_reduction *x)
 
 static void write_row(const pm_reduction *x, int of, int row, int32_t *out)
 {
-    const int32_t *e = pm_model_row(x->m, of, row, pm_table_columns[of]);
+    const int32_t *e = pm_model_row(x->m, of, row, pm_reference_columns[of]);
     pm_reference ref[PM_REFERENCES];
     const int n = pm_reference_of(x->m, of, row, ref);
-    memcpy(out, e, (size_t)pm_table_columns[of] * sizeof *e);
+    memcpy(out, e, (size_t)pm_reference_columns[of] * sizeof *e);
     for (int k = 0; k < n; k++) out[ref[k].column] = x->place[ref[k].of][ref[k].index];
     if (of == PM_TABLE_PROGRAM) out[PM_PROGRAM_FIRST] = x->place[PM_TABLE_CODE][e[PM_PROGRAM_FIRST]];
 }
@@ -74,7 +74,7 @@ static void write_tables(const pm_reduction *x)
     for (int of = 0; of < PM_TABLES; of++) {
         x->table[2 * of] = first;
         x->table[2 * of + 1] = x->rows[of];
-        for (int i = 0; i < x->rows[of]; i++, first += pm_table_columns[of])
+        for (int i = 0; i < x->rows[of]; i++, first += pm_reference_columns[of])
             write_row(x, of, x->original[of][i], x->table + first);
     }
 }

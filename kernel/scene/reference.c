@@ -6,7 +6,7 @@
 #include "elements/measure.h"
 #include "expression/operation.h"
 
-const int pm_table_columns[PM_TABLES] = {
+const int pm_reference_columns[PM_TABLES] = {
     [PM_TABLE_CODE] = PM_CODE_COLUMNS,       [PM_TABLE_PROGRAM] = PM_PROGRAM_COLUMNS,
     [PM_TABLE_VALUE] = PM_VALUE_COLUMNS,     [PM_TABLE_BODY] = PM_BODY_COLUMNS,
     [PM_TABLE_POINT] = PM_POINT_COLUMNS,     [PM_TABLE_LINE] = PM_LINE_COLUMNS,
@@ -125,7 +125,7 @@ static int check_ranges(const pm_model *m, pm_where *where)
     for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++) {
         const pm_range *x = &ranges[r];
         for (int i = 0; i < m->rows[x->table]; i++) {
-            const int index = pm_model_row(m, x->table, i, pm_table_columns[x->table])[x->column];
+            const int index = pm_model_row(m, x->table, i, pm_reference_columns[x->table])[x->column];
             if (index == PM_NONE && x->none_allowed) continue;
             if (index < x->low || index >= m->rows[x->of])
                 return pm_bad_table(where, x->table, i, index, m->rows[x->of]);
@@ -174,7 +174,7 @@ typedef int pm_refers(const int32_t *e, pm_reference *out);
 static int check_elements(const pm_model *m, int table, int kinds, pm_refers *refers, pm_where *where)
 {
     for (int i = 0; i < m->rows[table]; i++) {
-        const int32_t *e = pm_model_row(m, table, i, pm_table_columns[table]);
+        const int32_t *e = pm_model_row(m, table, i, pm_reference_columns[table]);
         if (e[PM_JOINT_KIND] < 0 || e[PM_JOINT_KIND] >= kinds)
             return pm_bad_table(where, table, i, e[PM_JOINT_KIND], kinds);
         pm_reference ref[PM_REFERENCES];
@@ -249,7 +249,7 @@ static int by_kind(int table, const int32_t *e, pm_reference *out)
 
 int pm_reference_of(const pm_model *m, int table, int row, pm_reference out[PM_REFERENCES])
 {
-    const int32_t *e = pm_model_row(m, table, row, pm_table_columns[table]);
+    const int32_t *e = pm_model_row(m, table, row, pm_reference_columns[table]);
     pm_reference all[PM_REFERENCES];
     int most = by_kind(table, e, all), n = 0;
     for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++)
@@ -282,7 +282,7 @@ int pm_reference_drive(const pm_model *m, int k, int *table, int *row)
     for (int t = 0; t < 2; t++)
         for (int i = 0; i < m->rows[of[t]]; i++)
             for (int c = first[t]; c <= last[t]; c++) {
-                const int program = pm_model_row(m, of[t], i, pm_table_columns[of[t]])[c];
+                const int program = pm_model_row(m, of[t], i, pm_reference_columns[of[t]])[c];
                 if (program < 0 || k-- > 0) continue;
                 *table = of[t];
                 *row = i;

@@ -10,7 +10,7 @@ typedef struct pm_reference {
     int column, of, index; /* the entry of this column is row `index` of table `of` */
 } pm_reference;
 
-extern const int pm_table_columns[PM_TABLES];
+extern const int pm_reference_columns[PM_TABLES];
 
 /* Every reference lies in its table; kinds of joints, contacts and forces are known. */
 int pm_reference_check(const pm_model *m, pm_where *where);

@@ -141,7 +141,7 @@ double pm_frame_weight_energy(const pm_frame *frame)
     return sum;
 }
 
-double pm_body_total_mass(const pm_frame *frame)
+double pm_frame_total_mass(const pm_frame *frame)
 {
     double sum = 0;
     for (int i = 0; i < frame->model->nbody; i++) sum += frame->numbers->mass[i];

@@ -62,7 +62,7 @@ double pm_frame_kinetic(const pm_frame *frame, int i);
 void pm_frame_momentum(const pm_frame *frame, int i, double momentum[3]);
 double pm_frame_inertia(const pm_frame *frame, int i);
 /* kg, of all bodies. */
-double pm_body_total_mass(const pm_frame *frame);
+double pm_frame_total_mass(const pm_frame *frame);
 /* Potential energy of weight (zero at the origin). */
 double pm_frame_weight_energy(const pm_frame *frame);
 

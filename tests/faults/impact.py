@@ -327,8 +327,8 @@ FAULTS = [
     Fault(
         "problem: friction of Lemke's method on one side only",
         "impact/contact_problem_lemke.c",
-        "= 2 * pm_problem_friction(x, i, x->contact[i].rub);",
-        "= pm_problem_friction(x, i, x->contact[i].rub);",
+        "= 2 * pm_contact_problem_friction(x, i, x->contact[i].rub);",
+        "= pm_contact_problem_friction(x, i, x->contact[i].rub);",
     ),
     Fault(
         "together: restitution left out",

@@ -76,7 +76,7 @@ static void pose(const problem *x)
         }
     }
     for (int i = 0; i < x->n; i++)
-        course.contact[i] = (pm_course_contact){
+        course.contact[i] = (pm_contact_course_contact){
             .friction = {.friction = PM_FRICTION_COULOMB,
                          .hold = x->mu[i],
                          .rub = x->mu[i],

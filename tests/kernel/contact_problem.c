@@ -81,7 +81,7 @@ static void pose(const problem *x, double friction, double restitution, pm_conta
         }
     }
     for (int i = 0; i < x->n; i++) {
-        pm_problem_contact *c = &p->contact[i];
+        pm_contact_problem_contact *c = &p->contact[i];
         c->friction = PM_FRICTION_COULOMB;
         c->hold = c->rub = friction;
         c->slips = 0;

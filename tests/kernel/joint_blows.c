@@ -181,7 +181,7 @@ static void bounces(int route)
 /* ---- random problems ---- */
 enum { CONTACTS = 2, JOINTS = 5, COORDINATES = 16, ALL = 2 * CONTACTS + JOINTS };
 static pm_contact_problem contacts;
-static pm_joints_problem problem;
+static pm_contact_problem_joints problem;
 
 /* Directions d in coordinates of mass 1, held by h: W = d (1 - h^T (h h^T)^-1 h) d^T, L = -(h h^T)^-1 h d^T. */
 static void any_problem(int n, int m, int nload)
@@ -219,18 +219,19 @@ static void any_problem(int n, int m, int nload)
     }
     for (int i = 0; i < n; i++) {
         contacts.contact[i] =
-            (pm_problem_contact){.friction = i % 2 ? PM_FRICTION_SMOOTH : PM_FRICTION_COULOMB,
-                                 .hold = 0.2,
-                                 .rub = 0.2,
-                                 .prefers = PM_NONE};
+            (pm_contact_problem_contact){.friction = i % 2 ? PM_FRICTION_SMOOTH : PM_FRICTION_COULOMB,
+                                         .hold = 0.2,
+                                         .rub = 0.2,
+                                         .prefers = PM_NONE};
         problem.bias[2 * i] = check_random(-1, 0.2);
         problem.bias[2 * i + 1] = check_random(-1, 1);
     }
     for (int k = 0; k < m; k++)
-        problem.joint[k] = (pm_problem_joint){.coefficient = check_random(0, 0.4),
-                                              .nload = nload,
-                                              .bias = check_random(-0.1, 0.1),
-                                              .start = {check_random(-0.2, 0.2), nload > 1 ? 0.1 : 0}};
+        problem.joint[k] =
+            (pm_contact_problem_joint){.coefficient = check_random(0, 0.4),
+                                       .nload = nload,
+                                       .bias = check_random(-0.1, 0.1),
+                                       .start = {check_random(-0.2, 0.2), nload > 1 ? 0.1 : 0}};
 }
 
 /* What was found obeys the laws, computed anew; how many joints hold. */
@@ -248,7 +249,7 @@ static int laws(int n, int m)
             if (k % 2 == 1) CHECK(fabs(p[k]) <= (k == 1 ? 0.2 : 0) * p[k - 1] + 1e-9 && u * p[k] < 1e-8);
             continue;
         }
-        const pm_problem_joint *c = &problem.joint[k - 2 * n];
+        const pm_contact_problem_joint *c = &problem.joint[k - 2 * n];
         double r[2] = {c->start[0], c->start[1]};
         for (int j = 0; j < 2; j++)
             for (int i = 0; i < all; i++) r[j] += problem.reaction[(2 * (k - 2 * n) + j) * all + i] * p[i];
@@ -268,7 +269,7 @@ static void problems(void)
     for (int i = 0; i < 3000; i++) {
         const int n = i % 3, m = 1 + i % JOINTS, nload = 1 + i / 7 % 2;
         any_problem(n, m, nload);
-        const int motions = pm_joints_problem_solve(&problem);
+        const int motions = pm_contact_problem_joints_solve(&problem);
         several += motions > 1;
         none += motions == 0;
         if (motions == 0) continue;
@@ -285,7 +286,7 @@ int main(void)
 {
     pm_arena arena = {0};
     if (pm_contact_problem_create(&contacts, &arena, CONTACTS) ||
-        pm_joints_problem_create(&problem, &arena, &contacts, CONTACTS, JOINTS))
+        pm_contact_problem_joints_create(&problem, &arena, &contacts, CONTACTS, JOINTS))
         return 1;
     problems();
     sleds();

@@ -111,7 +111,7 @@ void pm_ida_system_scale(pm_workspace *w)
     const int l = pm_ida_place_l(w->model), mu = pm_ida_place_mu(w->model, w->ida);
     const double asked = fmax(w->numbers.tolerance, PM_IDA_FINEST);
     const double tolerance = r->tolerance = PM_IDA_TIGHTER * pow(asked, PM_IDA_POWER);
-    const double mass = pm_body_total_mass(&w->frame);
+    const double mass = pm_frame_total_mass(&w->frame);
     double *weight = r->weight;
     for (int i = 0; i < m->nq; i++) {
         const int angle = i % 3 == 2; /* angles by the absolute tolerance only: they grow with every turn */

@@ -94,7 +94,7 @@ int pm_path_prepare(pm_workspace *w)
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
     p->balanced = 0;
-    p->at_rest = !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_body_total_mass(&w->frame) *
+    p->at_rest = !(2 * x->kinetic > PM_PATH_STILL * PM_PATH_STILL * pm_frame_total_mass(&w->frame) *
                                         w->numbers.speed * w->numbers.speed);
     /* the contacts are met anew, to rounding: what the forces do on that way is not lost */
     for (int i = 0; i < w->model->nq; i++) x->kinetic += w->frame.f[i] * (x->q[i] - w->state.q[i]);

@@ -18,7 +18,7 @@
 double pm_repeat_energy_work(const pm_workspace *w)
 {
     const pm_repeat *l = w->repeat;
-    const double mass = pm_body_total_mass(&w->frame);
+    const double mass = pm_frame_total_mass(&w->frame);
     double work = 0;
     for (int i = 0; i < w->model->nz_work; i++) work += w->state.z[i] - l->begin.z[i];
     return work + mass * (w->numbers.gravity[0] * l->by[0] + w->numbers.gravity[1] * l->by[1]);

@@ -155,7 +155,7 @@ static void state_of(const pm_model *model, const pm_path *p, const pm_place *x,
 static void set_reversal(pm_workspace *w)
 {
     const pm_place *x = &w->path->node[PM_NODES_MOST - 1];
-    const double rate = w->path->sense * w->numbers.speed * sqrt(pm_body_total_mass(&w->frame) / x->mass);
+    const double rate = w->path->sense * w->numbers.speed * sqrt(pm_frame_total_mass(&w->frame) / x->mass);
     for (int i = 0; i < w->model->nq; i++) w->step.reversed[i] = rate * x->tangent[i];
 }
 

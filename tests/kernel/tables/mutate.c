@@ -57,7 +57,7 @@ static void change_cell(tables *x, uint64_t *r)
 {
     const int table = some_table(x, r);
     if (table == PM_TABLES) return;
-    const int column = (int)tables_below(r, pm_table_columns[table]);
+    const int column = (int)tables_below(r, pm_reference_columns[table]);
     int32_t *cell = tables_row(x, table, (int)tables_below(r, tables_rows(x, table))) + column;
     *cell = another(x, table, column, *cell, r);
 }
@@ -69,14 +69,14 @@ static void copy_row(tables *x, uint64_t *r)
     const int rows = tables_rows(x, table);
     const int32_t *from = tables_row(x, table, (int)tables_below(r, rows));
     memmove(tables_row(x, table, (int)tables_below(r, rows)), from,
-            (size_t)pm_table_columns[table] * sizeof *from);
+            (size_t)pm_reference_columns[table] * sizeof *from);
 }
 
 static void swap_cells(tables *x, uint64_t *r)
 {
     const int table = some_table(x, r);
     if (table == PM_TABLES) return;
-    const int rows = tables_rows(x, table), column = (int)tables_below(r, pm_table_columns[table]);
+    const int rows = tables_rows(x, table), column = (int)tables_below(r, pm_reference_columns[table]);
     int32_t *a = tables_row(x, table, (int)tables_below(r, rows)) + column,
             *b = tables_row(x, table, (int)tables_below(r, rows)) + column;
     const int32_t kept = *a;
@@ -96,7 +96,7 @@ static void add_row(tables *x, uint64_t *r)
 {
     const int table = some_table(x, r);
     if (table == PM_TABLES) return;
-    const int columns = pm_table_columns[table], rows = tables_rows(x, table);
+    const int columns = pm_reference_columns[table], rows = tables_rows(x, table);
     const int64_t end = x->table[2 * table] + (int64_t)rows * columns;
     int32_t *longer = tables_room(x->ntable + columns, sizeof *longer);
     memcpy(longer, x->table, (size_t)end * sizeof *longer);

@@ -45,12 +45,12 @@ int tables_rows(const tables *x, int table)
 {
     if (x->ntable < 2 * PM_TABLES) return 0;
     const int64_t first = x->table[2 * table], rows = x->table[2 * table + 1];
-    return first < 0 || rows < 0 || first + rows * pm_table_columns[table] > x->ntable ? 0 : (int)rows;
+    return first < 0 || rows < 0 || first + rows * pm_reference_columns[table] > x->ntable ? 0 : (int)rows;
 }
 
 int32_t *tables_row(const tables *x, int table, int row)
 {
-    return x->table + x->table[2 * table] + (ptrdiff_t)row * pm_table_columns[table];
+    return x->table + x->table[2 * table] + (ptrdiff_t)row * pm_reference_columns[table];
 }
 
 void corpus_add(corpus *c, tables x)
