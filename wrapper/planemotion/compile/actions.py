@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.packing import Tables
 from ..geometry.partners import partner
 from ..language.dimensions import ANGULAR_IMPULSE, ENERGY, IMPULSE, Dimension
@@ -20,6 +19,7 @@ from ..language.tree import Binary, Name, Node, Number, negative
 from ..model import words
 from ..model.readers import Value, Vector
 from ..model.tables import Action
+from ..model.words import GROUND
 from .measures import Measures
 
 # What is not known before the forces after the impulse are.

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from .. import _layout as layout
-from ..geometry.drawing import GROUND
 from ..language.address import Address
+from ..model.words import GROUND
 from .elements import CouplingInfo
 from .histories import Columns, HistoryColumns
 

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
@@ -22,6 +21,7 @@ from ..language.dimensions import DIMENSIONLESS, STIFFNESS, VELOCITY
 from ..language.tree import ZERO, Node, Number
 from ..model.readers import Value
 from ..model.tables import Contact, Friction
+from ..model.words import GROUND
 
 _ROUND = ("circle", "point")
 _CAPTURES = {

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND, PointRef
+from ..geometry.drawing import PointRef
 from ..geometry.partners import Partner, pairs, partner
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
@@ -18,6 +18,7 @@ from ..kinds.base import Bearing, BearingJoint, Coupling, Force, Joint, RubbingJ
 from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MOMENT, VELOCITY
 from ..language.tree import ZERO, Node
 from ..model.tables import Body, Driven
+from ..model.words import GROUND
 
 
 @dataclass(frozen=True)

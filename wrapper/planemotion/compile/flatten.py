@@ -19,7 +19,7 @@ from .. import _layout as layout
 from ..base.errors import Faults, SceneError
 from ..base.lines import Written
 from ..geometry.checks import Checks
-from ..geometry.drawing import GROUND, Drawing
+from ..geometry.drawing import Drawing
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
 from ..geometry.parameters import Parameters, Reader, is_zero, override
@@ -29,7 +29,7 @@ from ..language.dimensions import DIMENSIONLESS, LENGTH, TIME
 from ..language.tree import ZERO, Name, negative
 from ..model.readers import Value
 from ..model.tables import Action, Body, Contact
-from ..model.words import IMPACTS, ROUND_SHAPES, SHARED, unknown
+from ..model.words import GROUND, IMPACTS, ROUND_SHAPES, SHARED, unknown
 from ..reading.scene import HasData, SceneData
 from .actions import Actions, add_nudge
 from .ask_order import in_order

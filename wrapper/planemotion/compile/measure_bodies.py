@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .. import _layout as layout
 from ..base.errors import SceneError, nearest
-from ..geometry.drawing import GROUND, PointRef
+from ..geometry.drawing import PointRef
 from ..language.address import Address
 from ..language.dimensions import (
     ACCELERATION,
@@ -24,6 +24,7 @@ from ..language.dimensions import (
     Dimension,
 )
 from ..model import words
+from ..model.words import GROUND
 from .elements import DriveInfo
 from .measure_rows import MeasureRows, Reading
 

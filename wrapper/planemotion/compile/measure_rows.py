@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark
 from ..geometry.packing import Tables, empty_measure
@@ -21,6 +20,7 @@ from ..language.dimensions import DIMENSIONLESS, FORCE, Dimension
 from ..language.leaves import names
 from ..language.tree import Name, Node, atan2, cos, norm, sin
 from ..model import words
+from ..model.words import GROUND
 from .contacts import ContactInfo
 from .elements import CouplingInfo, DriveInfo, ForceInfo, JointInfo
 

@@ -13,7 +13,6 @@ from math import pi
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
@@ -33,6 +32,7 @@ from ..language.leaves import Leaf, substitute
 from ..language.tree import Name, Node, sqrt
 from ..model import words
 from ..model.readers import Value
+from ..model.words import GROUND
 from .measure_bodies import BodyMeasures
 from .measure_elements import ElementMeasures
 from .measure_rows import MeasureRows, Reading, Scope

@@ -12,8 +12,9 @@ from ..base.errors import Faults, SceneError
 from ..language.leaves import names, operands, with_operands
 from ..language.tree import ZERO, Node
 from ..model.tables import Body
+from ..model.words import GROUND
 from .curves import PLACE, CurveMark
-from .drawing import GROUND, Drawing, PointRef
+from .drawing import Drawing, PointRef
 from .marks import CircleMark, LineMark, Mass, Pair, RowMark, mass_of
 from .packing import Tables, empty_measure
 

@@ -90,7 +90,7 @@ class Marks:
 
     def has_no(self, what: str, name: str, known: Mapping[str, object]) -> str:
         """The text that there is no such mark."""
-        owner = "the ground" if self.name == "ground" else f'body "{self.name}"'
+        owner = "the ground" if self.name == words.GROUND else f'body "{self.name}"'
         own = [mark for mark in known if mark not in _EVERY_BODY]
         all_marks = [*own, *(mark for mark in _EVERY_BODY if mark in known)]
         return f'{owner} has no {what} "{name}"; it has {", ".join(all_marks) or "none"}'
@@ -107,7 +107,7 @@ class Mass:
 
 def ground_marks(reader: Reader, ground: Ground) -> Marks:
     """The marks of the ground, in scene coordinates."""
-    marks = Marks("ground", "ground")
+    marks = Marks(words.GROUND, words.GROUND)
     _add_points(reader, marks, ground.points)
     for name, line in ground.lines.items():
         marks.lines[name] = _line(reader, line, f"ground.lines.{name}")

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 from ..base.errors import SceneError
 from ..language.tree import ZERO, Node, binary, call, select
+from ..model.words import GROUND
 from .curves import CurveMark
-from .drawing import GROUND, Drawing, PointRef
+from .drawing import Drawing, PointRef
 from .drawn_rows import DrawnRows
 from .marks import CircleMark, LineMark, Pair, RowMark, distance
 

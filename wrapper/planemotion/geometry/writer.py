@@ -10,7 +10,7 @@ from ..language.dimensions import POWER, Dimension
 from ..language.leaves import names
 from ..language.tree import Node
 from ..model.readers import Value
-from .drawing import GROUND
+from ..model.words import GROUND
 from .drawn_rows import DrawnRows
 from .motion import MotionPrograms, Waiting, reads_motion
 from .packing import Tables, empty_measure, over_time

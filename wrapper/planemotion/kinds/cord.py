@@ -14,7 +14,6 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.marks import distance
 from ..geometry.partners import Partner, different, drawn_pair, kernel_circle, partner
 from ..geometry.push import Push
@@ -24,6 +23,7 @@ from ..language.dimensions import DIMENSIONLESS, FORCE, IMPULSE, LENGTH
 from ..language.tree import ZERO, Node
 from ..model.element import Number, Quantity
 from ..model.readers import read_stops
+from ..model.words import GROUND
 from .base import Coupling
 
 if TYPE_CHECKING:

@@ -8,13 +8,13 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
 from ..language.dimensions import MOMENT
 from ..language.tree import Node
 from ..model.element import Number
 from ..model.readers import Value, Vector, read_body_or_two, read_value_or_vector
+from ..model.words import GROUND
 from .base import Force
 
 if TYPE_CHECKING:

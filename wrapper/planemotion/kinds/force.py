@@ -13,7 +13,6 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.partners import partner, point_pair
 from ..geometry.rows import ForceRow
 from ..geometry.writer import Writer
@@ -21,6 +20,7 @@ from ..language.dimensions import FORCE
 from ..language.tree import Node
 from ..model.element import Number, Text
 from ..model.readers import Value, Vector, read_point_or_two, read_value_or_vector
+from ..model.words import GROUND
 from .base import Force
 
 if TYPE_CHECKING:

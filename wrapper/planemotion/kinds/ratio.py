@@ -12,7 +12,6 @@ from pydantic import BeforeValidator
 
 from .. import _layout as layout
 from ..base.errors import SceneError
-from ..geometry.drawing import GROUND
 from ..geometry.parameters import is_zero
 from ..geometry.rows import CouplingRows
 from ..geometry.writer import Writer
@@ -20,7 +19,7 @@ from ..language.dimensions import DIMENSIONLESS, MOMENT
 from ..language.tree import Node
 from ..model.element import Quantity
 from ..model.readers import Value, read_value
-from ..model.words import not_built
+from ..model.words import GROUND, not_built
 from .base import Coupling
 
 if TYPE_CHECKING:

@@ -12,6 +12,8 @@ from typing import Any
 from ..base.errors import SceneError, nearest
 from ..language.address import DOTTED, KEYWORDS
 
+GROUND = "ground"  # what does not move, as an owner of marks
+
 SHAPES = ("rod", "disk", "cylinder", "hoop", "sphere", "half_ring", "plate")
 EDGE_ON_SHAPES = ("disk", "hoop")
 ROUND_SHAPES = ("disk", "cylinder", "hoop", "sphere", "half_ring")
@@ -53,7 +55,7 @@ SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_moment
 PARTS = ("x", "y", "norm", "angle")
 
 # What an element or parameter cannot be called: the words would mean two things.
-RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, "ground", "pi", "start", "end", "rest"})
+RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, GROUND, "pi", "start", "end", "rest"})
 _NAME = re.compile(DOTTED)
 
 

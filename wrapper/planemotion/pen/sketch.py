@@ -14,7 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..geometry.curves import CurveMark
-from ..geometry.drawing import GROUND, Drawing
+from ..geometry.drawing import Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
 from ..geometry.motion import reads_motion
 from ..geometry.partners import Partner, partner
@@ -23,6 +23,7 @@ from ..language.leaves import evaluate
 from ..language.tree import Node, Number
 from ..language.units import factor
 from ..model.readers import Value, Vector
+from ..model.words import GROUND
 from .page import INK, RESOLUTION
 from .symbols import Pen, Place
 

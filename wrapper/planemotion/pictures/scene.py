@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 
 from ..compile.flatten import flatten, run_parameters
 from ..engine import call
-from ..geometry.drawing import GROUND, Drawing
+from ..geometry.drawing import Drawing
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables
 from ..geometry.parameters import Parameters, Reader
@@ -28,6 +28,7 @@ from ..geometry.push import Push
 from ..kinds.base import Coupling, Force, Joint
 from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..model.tables import Body, Contact
+from ..model.words import GROUND
 from ..pen import page
 from ..pen.page import BLUE, INK, RED, SOFT
 from ..pen.sketch import Sketch
