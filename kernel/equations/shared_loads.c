@@ -240,6 +240,20 @@ static double value_of(const pm_shared *x, int n)
     return value / all;
 }
 
+int pm_shared_solve(pm_shared *x, int k, int n, const double *square)
+{
+    pm_quadratic_program p = x->program;
+    p.k = k;
+    p.n = n;
+    p.K = square;
+    p.c = x->cost;
+    p.A = x->matrix;
+    p.b = x->right;
+    p.s = x->found;
+    p.bound = x->multiplier;
+    return pm_quadratic_program_solve(&p);
+}
+
 static void find_slack(pm_workspace *w, int first, double size)
 {
     pm_shared *x = w->active.shared;
@@ -249,16 +263,7 @@ static void find_slack(pm_workspace *w, int first, double size)
     if (n <= 0) return;
     const double most = pm_case_force(w->model, &w->numbers);
     add_slack(x, n, nmember, most / size);
-    pm_quadratic_program p = x->program;
-    p.k = nmember + 1;
-    p.n = n + 1;
-    p.K = NULL;
-    p.c = x->cost;
-    p.A = x->matrix;
-    p.b = x->right;
-    p.s = x->found;
-    p.bound = x->multiplier;
-    if (!pm_quadratic_program_solve(&p)) return;
+    if (!pm_shared_solve(x, nmember + 1, n + 1, NULL)) return;
     x->slack[first] = value_of(x, n) * size;
     x->bounded[first] = !(x->multiplier[n] > PM_SHARED_BOUNDS);
     for (int r = 0; r < n; r++) {

@@ -70,5 +70,8 @@ void pm_shared_elements(pm_workspace *w, int32_t *joint, int32_t *contact);
 /* For shared_reading.c: fills x->matrix and x->right with the conditions of the group that begins with vector `first` on loads
  * of the active constraints, in units of `size`, with x->member[] its vectors: how many conditions; -1: too many. */
 int pm_shared_conditions(pm_workspace *w, const double *load, int first, double size, int *nmember);
+/* The least of the program posed in x->cost, x->matrix and x->right, with k unknowns, n conditions and the squares K (NULL: 0):
+ * x->found and x->multiplier; 0: there is none. */
+int pm_shared_solve(pm_shared *x, int k, int n, const double *square);
 
 #endif

@@ -147,16 +147,7 @@ static int find_least(pm_workspace *w, const double *load, int first, double siz
     for (int r = 0; r < n; r++)
         x->right[r] += isfinite(over) ? over : 0; /* rounding may have used up the slack */
     pose_squares(w, load, size, nmember);
-    pm_quadratic_program p = x->program;
-    p.k = nmember;
-    p.n = n;
-    p.K = x->square;
-    p.c = x->cost;
-    p.A = x->matrix;
-    p.b = x->right;
-    p.s = x->found;
-    p.bound = x->multiplier;
-    return pm_quadratic_program_solve(&p) ? nmember : 0;
+    return pm_shared_solve(x, nmember, n, x->square) ? nmember : 0;
 }
 
 /* How much of each vector the least distribution takes: x->amount. */

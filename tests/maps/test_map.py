@@ -17,15 +17,11 @@ from planemotion.base.arrays import Floats
 from planemotion.cli.main import main
 from tests import ROOT
 from tests.scenes import G
+from tests.scenes.parts import FALLING
 
-FALL = """
-id = "fall"
-parameters = { h = "1 m", v = "0 m/s" }
-bodies.ball = { mass = "1 kg", at = [0, "h"] }
-start.ball.velocity.x = "v"
-until = "landing"
-events.landing = "ball.y = 0 m"
-events.far = "ball.x > (1 m)"
+FALL = (
+    FALLING
+    + """\
 events.fast = "ball.speed > (5 m/s)"
 ask.outcome = { events = ["far", "fast"] }
 ask.is_far = "far.count > 0"
@@ -34,6 +30,7 @@ h = { from = "0.2 m", to = "3 m", num = 9 }
 v = { from = "0 m/s", to = "4.9 m/s", num = 9 }
 refine = { tolerance = 1e-3 }
 """
+)
 
 
 def curves(dataset: xr.Dataset) -> Iterator[tuple[frozenset[str], Floats]]:

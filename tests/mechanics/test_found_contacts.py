@@ -22,6 +22,7 @@ from tests.mechanics.test_crates import rod, slider
 from tests.mechanics.test_order import balls
 from tests.mechanics.test_walker import by_least_coordinates, walker
 from tests.scenes import ROUTES, G, number
+from tests.scenes.parts import beam_on_feet
 from tests.stress.contacts import one_body
 from tests.stress.contacts.laws import motions
 from tests.stress.contacts.verdict import LIMITED, RIGHT, is_fault
@@ -437,33 +438,12 @@ def speed_at_the_dead_centre() -> float:
 
 
 # ---- 6: reactions that are not unique ----
-BEAM = """
-until = "t = 1 s"
-[ground]
-lines = {{ floor = {{ through = [0, 0] }} }}
-[bodies.beam]
-rod = ["X", "Y"]
-length = "4 m"
-mass = "10 kg"
-at = [0, 0]
-points = {{ A = ["{a} m", 0], B = ["{b} m", 0], C = ["{c} m", 0] }}
-[contacts]
-{contacts}
-[ask]
-A = "A.normal"
-B = "B.normal"
-C = "C.normal"
-all = "A.normal + B.normal + C.normal"
-moment = "{a}*A.normal + {b}*B.normal + {c}*C.normal"
-"""
-
-
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("order", ["ABC", "BCA", "CAB", "CBA"])
 @pytest.mark.parametrize("mirror", [1, -1])
 def test_6_a_beam_on_three_smooth_feet(mirror: int, order: str, route: str) -> None:
     contacts = "\n".join(f'{x} = {{ touch = ["beam.{x}", "ground.floor"] }}' for x in order)
-    text = BEAM.format(a=-2 * mirror, b=mirror, c=2 * mirror, contacts=contacts)
+    text = beam_on_feet(contacts, (-2 * mirror, mirror, 2 * mirror))
     result = ran(text, route)
     for name in "ABC":
         assert result.asks[name].value is None

@@ -8,6 +8,7 @@ import pytest
 
 import planemotion
 from planemotion.engine import call
+from tests.scenes.parts import beam_on_feet
 
 G = 9.81
 FEET = """
@@ -140,38 +141,19 @@ def test_a_pushed_crate_begins_to_slide_when_both_feet_do(route: str) -> None:
     assert result.asks["friction"].value == pytest.approx(-0.3 * 10 * G, rel=1e-9)
 
 
-BEAM = """
-until = "t = 1 s"
-[solve]
-route = "{route}"
-shared = "{shared}"
-[ground]
-lines = {{ floor = {{ through = [0, 0] }} }}
-[bodies.beam]
-rod = ["X", "Y"]
-length = "4 m"
-mass = "10 kg"
-at = [0, 0]
-points = {{ A = ["-2 m", 0], B = ["1 m", 0], C = ["2 m", 0] }}
-[contacts]
-{contacts}
-[ask]
-A = "A.normal"
-B = "B.normal"
-C = "C.normal"
-all = "A.normal + B.normal + C.normal"
-moment = "-2*A.normal + B.normal + 2*C.normal"
-least = {{ min = "A.normal" }}
-y = "beam.y"
-"""
 SMOOTH = [f'{name} = {{ touch = ["beam.{name}", "ground.floor"] }}' for name in "ABC"]
+
+
+def beam(contacts: str, shared: str = "none", route: str = "auto", at: str = "[0, 0]") -> str:
+    solve = f'solve = {{ route = "{route}", shared = "{shared}" }}'
+    return beam_on_feet(contacts, at=at, solve=solve) + 'least = { min = "A.normal" }\ny = "beam.y"\n'
 
 
 @pytest.mark.parametrize("route", ["auto", "rk", "ida"])
 @pytest.mark.parametrize("order", list(itertools.permutations(range(3))))
 def test_what_is_not_unique_has_no_number_whatever_the_order(order: tuple[int, ...], route: str) -> None:
     contacts = "\n".join(SMOOTH[i] for i in order)
-    asks = planemotion.load_text(BEAM.format(route=route, shared="none", contacts=contacts)).run().asks
+    asks = planemotion.load_text(beam(contacts, route=route)).run().asks
     for name in ("A", "B", "C", "least"):
         assert asks[name].value is None
         assert "not unique" in asks[name].reason
@@ -183,7 +165,7 @@ def test_what_is_not_unique_has_no_number_whatever_the_order(order: tuple[int, .
 def test_the_least_share_is_that_of_the_normal_equations(order: tuple[int, ...]) -> None:
     """min sum N^2 with sum N = m g and sum x N = 0: N = a + b x, and all push."""
     contacts = "\n".join(SMOOTH[i] for i in order)
-    asks = planemotion.load_text(BEAM.format(route="auto", shared="least", contacts=contacts)).run().asks
+    asks = planemotion.load_text(beam(contacts, "least")).run().asks
     sums = (3, 1, 9)  # of 1, x and x^2
     a = 98.1 * sums[2] / (sums[0] * sums[2] - sums[1] ** 2)
     b = -98.1 * sums[1] / (sums[0] * sums[2] - sums[1] ** 2)
@@ -194,8 +176,7 @@ def test_the_least_share_is_that_of_the_normal_equations(order: tuple[int, ...])
 def test_a_least_share_that_would_pull_is_none() -> None:
     """The mass centre near A: least squares alone would have C pull; then A and B carry all."""
     contacts = "\n".join(SMOOTH)
-    text = BEAM.format(route="auto", shared="least", contacts=contacts)
-    text = text.replace("at = [0, 0]", 'at = [0, 0]\nmass_center = ["-1.5 m", 0]')
+    text = beam(contacts, "least", at='[0, 0]\nmass_center = ["-1.5 m", 0]')
     asks = planemotion.load_text(text).run().asks
     assert asks["C"].value == pytest.approx(0, abs=1e-6)
     assert asks["all"].value == pytest.approx(98.1, rel=1e-9)
@@ -265,8 +246,7 @@ part = { of = "A.normal", at = { each = "t", values = ["0.5 s"] } }
 
 def test_an_impulse_that_is_shared_has_no_number() -> None:
     """Three feet meet the floor at once: the sum is m v, the parts are anything."""
-    text = BEAM.format(route="auto", shared="none", contacts="\n".join(SMOOTH))
-    text = text.replace("at = [0, 0]", 'at = [0, "1 m"]').split("[ask]")[0]
+    text = beam("\n".join(SMOOTH), at='[0, "1 m"]').split("[ask]")[0]
     text += """[events]
 lands = "A strikes"
 [ask]
@@ -282,9 +262,7 @@ all = { of = "A.impulse.y on beam + B.impulse.y on beam + C.impulse.y on beam", 
 
 
 def test_an_event_cannot_wait_for_a_load_that_is_not_unique() -> None:
-    text = (
-        BEAM.format(route="auto", shared="none", contacts="\n".join(SMOOTH)) + 'n = "high.count"\n[events]\n'
-    )
+    text = beam("\n".join(SMOOTH)) + 'n = "high.count"\n[events]\n'
     result = planemotion.load_text(text + 'high = "A.normal > (60 N)"\n').run()
     assert result.status == "not_unique"
     assert "events.high: it waits for a load that is not unique" in result.error

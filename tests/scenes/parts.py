@@ -59,3 +59,42 @@ def plate(name: str, width: str, height: str, mass: str, **keys: Any) -> str:
 def touching(name: str, mark: str, line: str = "floor", **options: Any) -> str:
     """A contact of a mark with a line of the ground."""
     return f"contacts.{name} = {inline({'touch': [mark, f'ground.{line}'], **options})}\n"
+
+
+FALLING = """
+id = "fall"
+parameters = { h = "1 m", v = "0 m/s" }
+bodies.ball = { mass = "1 kg", at = [0, "h"] }
+start.ball.velocity.x = "v"
+until = "landing"
+events.landing = "ball.y = 0 m"
+events.far = "ball.x > (1 m)"
+"""
+
+
+def beam_on_feet(
+    contacts: str, feet: tuple[float, float, float] = (-2, 1, 2), at: str = "[0, 0]", solve: str = ""
+) -> str:
+    """A beam of 10 kg on feet A, B, C at so many metres beside its mass centre; asks come last."""
+    marks = ", ".join(f'{name} = ["{x} m", 0]' for name, x in zip("ABC", feet, strict=True))
+    moment = " + ".join(f"{x}*{name}.normal" for name, x in zip("ABC", feet, strict=True))
+    return f"""
+until = "t = 1 s"
+{solve}
+[ground]
+lines = {{ floor = {{ through = [0, 0] }} }}
+[bodies.beam]
+rod = ["X", "Y"]
+length = "4 m"
+mass = "10 kg"
+at = {at}
+points = {{ {marks} }}
+[contacts]
+{contacts}
+[ask]
+A = "A.normal"
+B = "B.normal"
+C = "C.normal"
+all = "A.normal + B.normal + C.normal"
+moment = "{moment}"
+"""

@@ -11,20 +11,17 @@ from click.testing import CliRunner
 import planemotion
 from planemotion import load_text
 from planemotion.cli.main import main
+from tests.scenes.parts import FALLING
 
-FALL = """
-id = "fall"
-parameters = { h = "1 m", v = "0 m/s" }
-bodies.ball = { mass = "1 kg", at = [0, "h"] }
-start.ball.velocity.x = "v"
-until = "landing"
-events.landing = "ball.y = 0 m"
-events.far = "ball.x > (1 m)"
+FALL = (
+    FALLING
+    + """\
 ask.E = { of = "energy.kinetic", unit = "J" }
 ask.far_at = { of = "t", at = "far", unit = "s" }
 ask.times = { of = "t", at = { each = "ball.y", values = ["0.5 m", "0.2 m"] } }
 ask.word = { events = ["far", "landing"] }
 """
+)
 
 
 def test_one_row_for_each_case() -> None:

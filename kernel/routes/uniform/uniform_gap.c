@@ -71,6 +71,16 @@ static void begin_exactly(const pm_frame *frame, double *g, double *rate)
     if (*rate <= pm_contact_speed(frame)) *rate = 0;
 }
 
+/* The gap of a member of an open contact at the frame, and its rate. */
+static double gap_of(const pm_workspace *w, int contact, int member, pm_constraint *c, double *rate)
+{
+    pm_constraint tangent;
+    pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member, c, &tangent);
+    pm_constraint_kind(c->kind)->evaluate(&w->frame, c);
+    *rate = pm_constraint_times(&w->frame, c, w->frame.v);
+    return c->g;
+}
+
 void pm_uniform_gap_begin(pm_workspace *w, int contact)
 {
     pm_uniform *u = w->uniform;
@@ -83,11 +93,8 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
     }
     u->closing[contact] = (pm_closing){.root = INFINITY, .near = INFINITY};
     for (int i = 0; i < n; i++) {
-        pm_constraint c, tangent;
-        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &c,
-                                   &tangent);
-        pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
-        double g = c.g, rate = pm_constraint_times(&w->frame, &c, w->frame.v);
+        pm_constraint c;
+        double rate, g = gap_of(w, contact, member[i], &c, &rate);
         begin_exactly(&w->frame, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
@@ -138,11 +145,8 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
     double safe = h, least = INFINITY, least_rate = 0;
     *root = OPEN;
     for (int i = 0; i < n; i++) {
-        pm_constraint c, tangent;
-        pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member[i], &c,
-                                   &tangent);
-        pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
-        double g = c.g, rate = pm_constraint_times(&w->frame, &c, w->frame.v);
+        pm_constraint c;
+        double rate, g = gap_of(w, contact, member[i], &c, &rate);
         if (first) begin_exactly(&w->frame, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {

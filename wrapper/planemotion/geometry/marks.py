@@ -108,15 +108,9 @@ class Mass:
 def ground_marks(reader: Reader, ground: Ground) -> Marks:
     """The marks of the ground, in scene coordinates."""
     marks = Marks(words.GROUND, words.GROUND)
-    _add_points(reader, marks, ground.points)
-    for name, line in ground.lines.items():
-        marks.lines[name] = _line(reader, line, f"ground.lines.{name}")
-    for name, circle in ground.circles.items():
-        marks.circles[name] = _circle(reader, circle, f"ground.circles.{name}")
+    _add_written(reader, marks, ground)
     for name, row in ground.rows.items():
         marks.rows[name] = _row(reader, row, f"ground.rows.{name}")
-    for name, curve in ground.curves.items():
-        marks.curves[name] = curve_mark(reader, curve, f"ground.curves.{name}")
     return marks
 
 
@@ -139,14 +133,19 @@ def body_marks(reader: Reader, name: str, body: Body, length: Node | None) -> Ma
         raise SceneError(
             "a particle has no marks; give the body a shape, an inertia or a gyration", path=path
         )
-    _add_points(reader, marks, body.points)
-    for key, line in body.lines.items():
-        marks.lines[key] = _line(reader, line, f"{path}.lines.{key}")
-    for key, circle in body.circles.items():
-        marks.circles[key] = _circle(reader, circle, f"{path}.circles.{key}")
-    for key, curve in body.curves.items():
-        marks.curves[key] = curve_mark(reader, curve, f"{path}.curves.{key}")
+    _add_written(reader, marks, body)
     return marks
+
+
+def _add_written(reader: Reader, marks: Marks, owner: Ground | Body) -> None:
+    """The marks that a body or the ground gives by name."""
+    _add_points(reader, marks, owner.points)
+    for name, line in owner.lines.items():
+        marks.lines[name] = _line(reader, line, f"{marks.path}.lines.{name}")
+    for name, circle in owner.circles.items():
+        marks.circles[name] = _circle(reader, circle, f"{marks.path}.circles.{name}")
+    for name, curve in owner.curves.items():
+        marks.curves[name] = curve_mark(reader, curve, f"{marks.path}.curves.{name}")
 
 
 def radius(reader: Reader, name: str, body: Body) -> Node:
