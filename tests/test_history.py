@@ -11,9 +11,9 @@ import planemotion
 from planemotion.base.errors import SceneError, StudyError
 from planemotion.compile.flatten import flatten
 from planemotion.engine import call, history, recording
+from tests.scenes import G
 from tests.scenes.parts import FLOOR, rod_on_pin
 
-G = 9.81
 BALL = f"""
 id = "ball"
 until = "t = 2 s"

@@ -9,10 +9,7 @@ import pytest
 
 import planemotion
 from planemotion.engine.result import RunResult
-from tests.scenes import number
-
-ROUTES = ("auto", "rk", "ida")
-G = 9.81
+from tests.scenes import ROUTES, G, number
 
 DROPPED = """
 until = "t = {end!r} s"

@@ -12,10 +12,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planemotion as pm
+from tests.scenes import ROUTES, G
 
-ROUTES = ("auto", "rk", "ida")
 STUDIES = Path(__file__).parents[2] / "studies"
-G = 9.81
 CHAIN = """
 until = "t = 0.6 s"
 [parameters]

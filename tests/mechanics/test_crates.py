@@ -6,8 +6,7 @@ import random
 import pytest
 
 import planemotion
-
-G = 9.81
+from tests.scenes import G
 
 
 def crate(

@@ -11,9 +11,7 @@ from scipy.integrate import quad, solve_ivp
 
 import planemotion
 from planemotion import SceneError, SimulationError
-
-ROUTES = ("auto", "rk", "ida")
-G = 9.81
+from tests.scenes import ROUTES, G
 
 
 def close(route: str) -> float:

@@ -10,8 +10,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planemotion
+from tests.scenes import ROUTES
 
-ROUTES = ("auto", "rk", "ida")
 SHAKEN = """
 until = "t = 5 s"
 parameters = { a = "0.2 m", w = "3 rad/s" }

@@ -8,9 +8,9 @@ import pytest
 
 import planemotion
 from planemotion.engine import call
+from tests.scenes import G
 from tests.scenes.parts import beam_on_feet
 
-G = 9.81
 FEET = """
 until = "go"
 [solve]

@@ -11,8 +11,8 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import PchipInterpolator
 
 import planemotion as pm
+from tests.scenes import ROUTES
 
-ROUTES = ("auto", "rk", "ida")
 STUDIES = Path(__file__).parents[2] / "studies"
 # A pulse of a millisecond in time, and a spike of a centimetre along the way.
 PUSH = ([0, 1, 1.001, 1.002, 5], [0, 1, 100, 1, -2])

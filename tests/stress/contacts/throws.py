@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-G = 9.81
 Random = np.random.Generator
 
 
