@@ -45,7 +45,7 @@ enum pm_status {
     PM_DRIVE_JUMPS = 18, /* a place that is prescribed jumps: where = joint; detail = by how much, m or rad */
     PM_CURVE_ENDS = 19,  /* what runs along a curve comes to its end: where = joint; detail = t */
     PM_BOUNCES_ON =
-        20, /* all is still but for bounces too low to be computed, which do not come to an end that is
+        20, /* all is at rest but for bounces too low to be computed, which do not come to an end that is
                             known: where = contact; detail = the last flight, the one before, s */
     PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,

@@ -71,11 +71,11 @@ typedef struct pm_constraint_bounds {
  * the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as evaluated at
  * the frame, with the accelerations a[nq + 3]. */
 typedef struct pm_constraint_ops {
-    void (*evaluate)(const pm_frame *frame, pm_constraint *row);
-    void (*act)(const pm_frame *frame, const pm_constraint *row, pm_line_of_action *x);
-    void (*remember)(const pm_frame *frame, const pm_constraint *row, pm_memory *memory, int anchor_too);
-    int (*steady)(const pm_frame *frame, const pm_constraint *row, const pm_constant_motion *x);
-    void (*bound)(const pm_frame *frame, const pm_constraint *row, const double *a, double h,
+    void (*evaluate)(const pm_frame *frame, pm_constraint *c);
+    void (*act)(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x);
+    void (*remember)(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too);
+    int (*steady)(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
+    void (*bound)(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x);
 } pm_constraint_ops;
 

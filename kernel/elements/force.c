@@ -77,7 +77,7 @@ static void torsion_place(const pm_frame *frame, const int32_t *e, pm_action *x)
     x->stretch -= frame->numbers->value[e[PM_FORCE_VALUE_2]];
 }
 
-static void turn(pm_action *x, double size)
+static void act_by_couple(pm_action *x, double size)
 {
     x->couple = size;
     x->power = size * x->rate;
@@ -87,17 +87,17 @@ static void torsion(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
     x->energy = 0.5 * stiffness * x->stretch * x->stretch;
-    turn(x, -stiffness * x->stretch);
+    act_by_couple(x, -stiffness * x->stretch);
 }
 
 static void rotary_damper(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    turn(x, -w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate);
+    act_by_couple(x, -w->numbers.value[e[PM_FORCE_VALUE_1]] * x->rate);
 }
 
 static void couple(pm_workspace *w, const int32_t *e, pm_action *x)
 {
-    turn(x, pm_drive_program(w, e[PM_FORCE_PROGRAM_X]));
+    act_by_couple(x, pm_drive_program(w, e[PM_FORCE_PROGRAM_X]));
 }
 
 /* ---- at a point; in a joint ---- */

@@ -30,7 +30,7 @@ typedef struct pm_joint_ops {
     int presses;  /* constraint 0 is a normal force */
     int slip;     /* the kind of constraint along which it slips where it has friction, or PM_NONE */
     int repeats;  /* enum pm_joint_repeats */
-    void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *row);
+    void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *c);
 } pm_joint_ops;
 
 const pm_joint_ops *pm_joint_kind(int kind);

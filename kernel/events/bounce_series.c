@@ -3,14 +3,14 @@
  * A contact that bounces is closed at a blow whose rebound is lost in rounding (last_bounce.c).  The bounces that are left
  * take a time all the same.  One contact alone, or several that share bodies, are struck in an order that comes again after
  * k blows: the feet of a crate that clatters, or rocks.  Small bounces are alike but for their size, so the flights of each
- * turn shrink by one ratio, the contraction of the map from turn to turn:
+ * cycle shrink by one ratio, the contraction of the map from cycle to cycle:
  *   r = S / S',  S the sum of the last k flights, S' of the k before
- * (for k = 1 and constant accelerations the coefficient of restitution).  It is known when each flight of the last turn, and
+ * (for k = 1 and constant accelerations the coefficient of restitution).  It is known when each flight of the last cycle, and
  * one before it, has that ratio to the one k earlier, and the order is the same.  The flights to come then sum up to
  *   S (r + r^2 + ...) = S r / (1 - r).
  * Until then the contacts are closed, which moves the bodies as the bounces do but for their height, and nothing that they
  * touch counts as being at rest: such a phase is computed in time.  Where the gaps of such an order are too small for their
- * ratio to settle, the end is expected by the ratio of the last turns, in a coarse run by that of the turns before.  What bounces
+ * ratio to settle, the end is expected by the ratio of the last cycles, in a coarse run by that of the cycles before.  What bounces
  * alone and has not settled is taken to go on by its last ratio; what would be left with r = e tells what is not known, and a
  * coarse run is off by that.  But where its flights shrink far less than the speeds (r near 1: nothing presses what bounces) no
  * end of the series is known: it never rests as far as can be told, and its blows are not counted any more.  Several contacts
@@ -90,8 +90,8 @@ static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
 
 static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
 
-/* The ratio of the last turn of k blows to the one before, if each flight has it and the order is the same; 0 if not. */
-static double ratio_of_turns(const pm_blow_order *x, int k)
+/* The ratio of the last cycle of k blows to the one before, if each flight has it and the order is the same; 0 if not. */
+static double ratio_of_cycles(const pm_blow_order *x, int k)
 {
     if (x->n < 2 * k + 2) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
@@ -105,7 +105,7 @@ static double ratio_of_turns(const pm_blow_order *x, int k)
     return ratio;
 }
 
-static int is_in_turn(const pm_blow_order *x, int k, int contact)
+static int is_in_cycle(const pm_blow_order *x, int k, int contact)
 {
     for (int i = 0; i < k; i++)
         if (x->contact[i] == contact) return 1;
@@ -119,22 +119,22 @@ static int several(const pm_blow_order *x, int k)
     return 0;
 }
 
-/* What one turn tells of all that are struck in it; a blow out of turn ends what was known of the others: what bounces there
+/* What one cycle tells of all that are struck in it; a blow out of its order ends what was known of the others: what bounces there
  * bounces otherwise from now on. */
 static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k, double ratio)
 {
     for (int i = 0; i < near; i++) {
         pm_bounce_series *s = &e->series[e->near[i]];
-        s->ratio = is_in_turn(x, k, e->near[i]) ? ratio : 0;
+        s->ratio = is_in_cycle(x, k, e->near[i]) ? ratio : 0;
         s->several = several(x, k);
-        s->told = x->time[0];
+        s->known_at = x->time[0];
         s->left = (x->time[0] - x->time[k]) * ratio / (1 - ratio);
     }
 }
 
 /* Where the order comes again and the ratio has nearly settled: the end by that ratio, in a coarse run by the one before,
  * which shows how far it is known.  -INFINITY if not. */
-static double end_by_turns(const pm_workspace *w, const pm_blow_order *x, int k)
+static double end_by_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
 {
     if (x->n < 3 * k + 1) return -INFINITY;
     const double last = x->time[0] - x->time[k], before = x->time[k] - x->time[2 * k];
@@ -157,7 +157,7 @@ static double expect_end(const pm_workspace *w, pm_blow_order *x)
         memmove(x->contact, x->contact + 1, (size_t)x->n * sizeof *x->contact);
     }
     double end = -INFINITY;
-    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x->n; k++) end = end_by_turns(w, x, k);
+    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x->n; k++) end = end_by_cycles(w, x, k);
     return end;
 }
 
@@ -171,13 +171,13 @@ static void count_own(const pm_workspace *w, int near, int contact)
     x->own = e > 0 && e < 1 ? x->own + (x->own < 4) : 0;
 }
 
-static void look_for_turns(const pm_workspace *w, int near, int contact)
+static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
     pm_blow_order x = {0};
     double ratio = 0;
     while (x.n < PM_SERIES_BLOWS && append_latest(w->event, near, &x)) continue;
     int k = 0;
-    while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_turns(&x, k);
+    while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_cycles(&x, k);
     if (ratio > 0) tell(w->event, near, &x, k, ratio);
     for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->near[i]].ratio = 0;
     w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);
@@ -194,7 +194,7 @@ void pm_bounce_series_strike(const pm_workspace *w, int contact)
     if (x->over == INFINITY) x->over = -INFINITY;
     const int near = find_near(w, contact);
     count_own(w, near, contact);
-    if (!(x->over > w->state.t)) look_for_turns(w, near, contact);
+    if (!(x->over > w->state.t)) look_for_cycles(w, near, contact);
 }
 
 int pm_bounce_series_is_settled(const pm_workspace *w, int contact)
@@ -210,7 +210,7 @@ int pm_bounce_series_is_of_several(const pm_workspace *w, int contact)
 int pm_bounce_series_share(const pm_workspace *w, int contact, int other)
 {
     const pm_bounce_series *x = &w->event->series[contact], *y = &w->event->series[other];
-    return x->ratio > 0 && y->ratio == x->ratio && y->told == x->told;
+    return x->ratio > 0 && y->ratio == x->ratio && y->known_at == x->known_at;
 }
 
 /* ---- one that bounces alone ---- */
@@ -278,7 +278,7 @@ static void cut(pm_workspace *w, int contact)
     const pm_bounce_series *x = &w->event->series[contact];
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_bounce_series_share(w, contact, i)) continue;
-        w->event->series[i].over = x->told + x->left;
+        w->event->series[i].over = x->known_at + x->left;
         pm_trigger_lose_strikes(w, i, PM_COUNTLESS);
     }
 }
@@ -289,7 +289,7 @@ void pm_bounce_series_cut(pm_workspace *w)
     for (int i = 0; waits && i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         pm_bounce_series *x = &w->event->series[i];
         if (!x->ends || x->struck[0] != w->state.t || !is_closed(w, i)) continue;
-        if (x->ratio > 0 && x->several && x->told == w->state.t)
+        if (x->ratio > 0 && x->several && x->known_at == w->state.t)
             cut(w, i);
         else if (x->own > 1)
             x->over = end_alone(w, i);

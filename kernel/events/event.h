@@ -66,13 +66,13 @@ typedef struct pm_event_function {
 } pm_event_function;
 
 /* The last blows of a contact (events/bounce_series.h). */
-#define PM_SERIES_BLOWS 18 /* two turns of the longest order that is looked for, and one blow before them */
+#define PM_SERIES_BLOWS 18 /* two cycles of the longest order that is looked for, and one blow before them */
 typedef struct pm_bounce_series {
     int known;                      /* of these times */
     double struck[PM_SERIES_BLOWS]; /* s, the latest first */
-    double ratio;                   /* of the flights of one turn to those of the one before; 0: not known */
-    int several;                    /* others have their part in the turn */
-    double told;                    /* s: the blow that told it */
+    double ratio;                   /* of the flights of one cycle to those of the one before; 0: not known */
+    int several;                    /* others have their part in the cycle */
+    double known_at;                /* s: the blow that told it */
     double left;                    /* s: sum of the flights that come after that blow */
     double expected; /* s: the end of a series whose ratio has only nearly settled; -INFINITY: not known */
     int own;  /* its last blows one after the other, with none at another contact of its bodies: at most 4 */

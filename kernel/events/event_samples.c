@@ -207,7 +207,7 @@ static int sample_few(pm_workspace *w, int functions, int watched, int waves, in
     if (*shown) return status;
     w->step.nodes = &pm_chebyshev_nodes_9;
     const int finer = sample_finer(w, functions, watched, waves, shown);
-    if (finer || !*shown || !is_whole(&w->step) || !pm_waves_are_told_by_few(w, functions, watched))
+    if (finer || !*shown || !is_whole(&w->step) || !pm_waves_are_shown_by_few(w, functions, watched))
         return finer;
     w->step.nodes = few;
     return sample_at_nodes(w, functions, watched);

@@ -5,7 +5,7 @@
 
 #include "elements/force.h"
 #include "elements/measure.h"
-#include "events/told.h"
+#include "events/shown.h"
 #include "events/waves.h"
 #include "expression/operation.h"
 #include "expression/program_fold.h"
@@ -87,7 +87,7 @@ void pm_motion_course_begin(pm_workspace *w)
 double pm_motion_course_limit(const pm_workspace *w) { return w->step.motion->longest; }
 
 /* ---- along a step ---- */
-static pm_enclosure enclose(const pm_told *x, double from, double to)
+static pm_enclosure enclose(const pm_shown *x, double from, double to)
 {
     return pm_enclosure_along(x->w->model, x->program, x->w->numbers.folded, x->along, from, to);
 }
@@ -127,23 +127,23 @@ static void sample(pm_workspace *w, const pm_state *begin, double to)
     }
 }
 
-static int are_told(const pm_workspace *w)
+static int are_shown(const pm_workspace *w)
 {
     const pm_motion_course *c = w->step.motion;
     for (int i = 0; i < c->n; i++) {
-        const pm_told x = {enclose, w, c->program[i], &c->along, &c->size[i]};
-        if (!pm_told_between(&x, 0, 1)) return 0;
+        const pm_shown x = {enclose, w, c->program[i], &c->along, &c->size[i]};
+        if (!pm_shown_between(&x, 0, 1)) return 0;
     }
     return 1;
 }
 
-/* How much of the step is told; all of it where not even a short part is: at a pole or a corner the error of the step tells. */
-static double part_told(pm_workspace *w, const pm_state *begin)
+/* How much of the step is shown; all of it where not even a short part is: at a pole or a corner the error of the step tells. */
+static double part_shown(pm_workspace *w, const pm_state *begin)
 {
     double part = 1;
     for (int i = 0; i < PM_MOTION_HALVINGS; i++, part *= 0.5) {
         sample(w, begin, part);
-        if (are_told(w)) return part;
+        if (are_shown(w)) return part;
     }
     return 1;
 }
@@ -153,9 +153,9 @@ int pm_motion_course_is_needed(const pm_workspace *w)
     return w->step.motion->n > 0 && w->phase.route->in_time;
 }
 
-int pm_motion_course_told(pm_workspace *w, const pm_state *begin, double *end)
+int pm_motion_course_shown(pm_workspace *w, const pm_state *begin, double *end)
 {
-    const double length = w->state.t - begin->t, part = part_told(w, begin);
+    const double length = w->state.t - begin->t, part = part_shown(w, begin);
     *end = part < 1 ? begin->t + part * length : w->state.t;
     w->step.motion->longest = PM_MOTION_GROW * part * length;
     pm_frame_look_state(&w->frame, &w->state);

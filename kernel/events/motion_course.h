@@ -16,6 +16,6 @@ double pm_motion_course_limit(const pm_workspace *w);
 /* Whether steps of the phase are to be looked at. */
 int pm_motion_course_is_needed(const pm_workspace *w);
 /* 1 if the step from `begin` to w->state tells the forces; else it is to be taken anew, up to *end. */
-int pm_motion_course_told(pm_workspace *w, const pm_state *begin, double *end);
+int pm_motion_course_shown(pm_workspace *w, const pm_state *begin, double *end);
 
 #endif

@@ -1,4 +1,4 @@
-/* time_course.c - switches of programs of the time, and how far samples tell them between (events/told.h).
+/* time_course.c - switches of programs of the time, and how far samples show them between (events/shown.h).
  *
  * A switch is found by bisection: stretches over which all switches are decided (expression/enclosure.h) are passed, from
  * left to right, until the stretch that is left is between two neighbouring numbers. */
@@ -11,7 +11,7 @@
 #include "elements/turning_plane.h"
 #include "equations/case.h"
 #include "equations/solve_cache.h"
-#include "events/told.h"
+#include "events/shown.h"
 #include "expression/enclosure.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
@@ -27,7 +27,7 @@ typedef struct pm_time_course {
     double end;   /* of the run, s */
     double next;  /* the next switch, s; INFINITY: there is none before the end */
     double after; /* the number behind it */
-    double told;  /* up to where all programs are told */
+    double shown; /* up to where all programs are shown */
     double apart; /* s, distance of the samples that tell them */
 } pm_time_course;
 
@@ -119,7 +119,7 @@ static void find_next(pm_workspace *w, double from)
     }
     c->next = before;
     c->after = after;
-    c->told = -INFINITY;
+    c->shown = -INFINITY;
     w->frame.side = (pm_side){from, before};
 }
 
@@ -145,34 +145,34 @@ int pm_time_course_switch(pm_workspace *w)
 }
 
 /* ---- between them ---- */
-static pm_enclosure enclose_time(const pm_told *x, double from, double to)
+static pm_enclosure enclose_time(const pm_shown *x, double from, double to)
 {
     return pm_enclosure_of_time(x->w->model, x->program, x->w->numbers.param, x->w->numbers.value, from, to);
 }
 
-static int is_told(const pm_workspace *w, double from, double to)
+static int is_shown(const pm_workspace *w, double from, double to)
 {
     for (int i = 0; i < w->step.course->n; i++) {
-        const pm_told x = {enclose_time, w, w->step.course->program[i], NULL, &w->step.course->size[i]};
-        if (!pm_told_between(&x, from, to)) return 0;
+        const pm_shown x = {enclose_time, w, w->step.course->program[i], NULL, &w->step.course->size[i]};
+        if (!pm_shown_between(&x, from, to)) return 0;
     }
     return 1;
 }
 
-/* What is told, or for a step that sees its end alone the next sample. */
+/* What is shown, or for a step that sees its end alone the next sample. */
 static double reach(const pm_workspace *w)
 {
     const pm_time_course *c = w->step.course;
-    const double told = fmin(c->told, c->next);
-    return w->phase.route->sees_ends ? fmin(told, w->state.t + c->apart) : told;
+    const double shown = fmin(c->shown, c->next);
+    return w->phase.route->sees_ends ? fmin(shown, w->state.t + c->apart) : shown;
 }
 
-/* How far programs are told at once, by a last step of this length.  Steps that see their ends alone are as short as the
+/* How far programs are shown at once, by a last step of this length.  Steps that see their ends alone are as short as the
  * samples are apart, at least: these may become twice as long. */
 static double ahead(const pm_workspace *w, double length)
 {
     const double apart = fmax(length, w->step.course->apart);
-    return w->phase.route->sees_ends ? 2 * (PM_TOLD_SAMPLES - 1) * apart : PM_TIME_AHEAD * length;
+    return w->phase.route->sees_ends ? 2 * (PM_SHOWN_SAMPLES - 1) * apart : PM_TIME_AHEAD * length;
 }
 
 double pm_time_course_limit(pm_workspace *w, double length)
@@ -180,11 +180,12 @@ double pm_time_course_limit(pm_workspace *w, double length)
     pm_time_course *c = w->step.course;
     const double from = w->state.t, most = fmin(c->next, c->end);
     if (c->n == 0) return INFINITY;
-    if (c->told >= most || from + PM_TIME_ENOUGH * length < c->told) return reach(w);
+    if (c->shown >= most || from + PM_TIME_ENOUGH * length < c->shown) return reach(w);
     double to = length > 0 ? fmin(most, from + ahead(w, length)) : most;
-    for (int i = 0; i < PM_TIME_HALVINGS && to > from && !is_told(w, fmax(from, w->frame.side.from), to); i++)
+    for (int i = 0; i < PM_TIME_HALVINGS && to > from && !is_shown(w, fmax(from, w->frame.side.from), to);
+         i++)
         to = from + 0.5 * (to - from);
-    c->told = to;
-    c->apart = (to - from) / (PM_TOLD_SAMPLES - 1);
+    c->shown = to;
+    c->apart = (to - from) / (PM_SHOWN_SAMPLES - 1);
     return reach(w);
 }

@@ -54,7 +54,7 @@ static int more_than_operands(const pm_program_step *s)
     }
 }
 
-/* A measure that is the size of something turns at zero: that is looked after where it is read. */
+/* A measure that is the size of something has a corner at zero: that is seen where it is read. */
 static int is_size(const pm_model *m, const pm_program_step *s)
 {
     return s->kind == STEP_MEASURE && pm_program_takes_size(m, s->arg);
@@ -180,7 +180,7 @@ static int take_bends(const pm_waves_course *c, pm_interval range, pm_interval *
         off = pm_max(fabs(pm_chebyshev_slope_at(nodes, c->sample, k) - here.jet.rate.lo), off);
     }
     const double nothing = nothing_of(c, range);
-    *bends = pm_enclosure_told_bends(*bends, nothing);
+    *bends = pm_enclosure_sampled_bends(*bends, nothing);
     return c->by_branches || off <= PM_WAVES_RATES * steepest + nodes->n * nodes->n * nothing;
 }
 
@@ -237,7 +237,7 @@ static int is_shown(const pm_waves_course *c)
 }
 
 /* The few nodes of a route would show it, too: what their polynomial leaves out is little. */
-static int is_told_by_few(const pm_waves_course *c)
+static int is_shown_by_few(const pm_waves_course *c)
 {
     const pm_interval range = range_of(c);
     pm_chebyshev_series own;
@@ -282,9 +282,9 @@ int pm_waves_are_excluded(pm_workspace *w, int functions, int watched)
     return holds_for_all(w, functions, watched, is_calm_by_few);
 }
 
-int pm_waves_are_told_by_few(pm_workspace *w, int functions, int watched)
+int pm_waves_are_shown_by_few(pm_workspace *w, int functions, int watched)
 {
-    return holds_for_all(w, functions, watched, is_told_by_few);
+    return holds_for_all(w, functions, watched, is_shown_by_few);
 }
 
 int pm_waves_are_shown(pm_workspace *w, int functions, int watched)

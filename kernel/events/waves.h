@@ -19,6 +19,6 @@ int pm_waves_are_excluded(pm_workspace *w, int functions, int watched);
 /* 1 if the samples at the nodes of the step, which are spectral, show all triggers and asks that were sampled. */
 int pm_waves_are_shown(pm_workspace *w, int functions, int watched);
 /* 1 if samples at few nodes, as routes have them, would show these, too. */
-int pm_waves_are_told_by_few(pm_workspace *w, int functions, int watched);
+int pm_waves_are_shown_by_few(pm_workspace *w, int functions, int watched);
 
 #endif

@@ -66,7 +66,7 @@ static pm_jet select_jet(const pm_jet *a)
     return f;
 }
 
-pm_interval pm_enclosure_told_bends(pm_interval seen, double nothing)
+pm_interval pm_enclosure_sampled_bends(pm_interval seen, double nothing)
 {
     const double more =
         PM_TIME_WIDER * pm_interval_width(seen) + PM_TIME_LEVEL * pm_interval_size(seen) + nothing;

@@ -46,8 +46,8 @@ pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *numb
                                 const pm_measure_series *along, double from, double to);
 
 /* The bends of a program at the samples of a stretch, widened by what changes nothing and by how far samples tell more than
- * themselves: a bend in between that lies outside is not told by them. */
-pm_interval pm_enclosure_told_bends(pm_interval at_samples, double nothing);
+ * themselves: they do not show a bend in between that lies outside. */
+pm_interval pm_enclosure_sampled_bends(pm_interval at_samples, double nothing);
 
 /* ---- enclosure_rules.c: what operations make of jets ---- */
 pm_jet pm_jet_of_one(int op, const pm_jet *a);

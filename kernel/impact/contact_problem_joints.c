@@ -144,8 +144,8 @@ static pm_broken broken(const pm_contact_problem_joints *x, int k)
     return c->slips || sense(c->mode) * s.sum >= -PM_PROBLEM_TIE * s.size ? PM_HOLDS : PM_HOLDS_STILL;
 }
 
-/* The directions of the bearings' reactions, as they are now; how much the greatest of them has turned. */
-static double turn(pm_contact_problem_joints *x)
+/* The directions of the bearings' reactions, as they are now; how far the one that rotated most. */
+static double rotate(pm_contact_problem_joints *x)
 {
     double most = 0;
     for (int k = 0; k < x->m; k++) {
@@ -169,7 +169,7 @@ static int solve_mode(pm_contact_problem_joints *x)
         found = pm_contact_problem_solve(x->contacts);
         if (found == 0) return 0;
         find_friction(x);
-        if (turn(x) <= PM_JOINTS_TURNED) return found;
+        if (rotate(x) <= PM_JOINTS_TURNED) return found;
     }
     return 0;
 }

@@ -22,8 +22,8 @@ int pm_contact_springs_create(pm_contact_springs *x, pm_arena *arena, int most)
 {
     const size_t n = most, two = 2 * n;
     const pm_array array[] = {
-        PM_ARRAY(x->spring, n),  PM_ARRAY(x->response, n * n), PM_ARRAY(x->now, n),
-        PM_ARRAY(x->still, two), PM_ARRAY(x->next, two),       PM_ARRAY(x->table, COLUMNS * two),
+        PM_ARRAY(x->spring, n), PM_ARRAY(x->response, n * n), PM_ARRAY(x->now, n),
+        PM_ARRAY(x->zero, two), PM_ARRAY(x->next, two),       PM_ARRAY(x->table, COLUMNS * two),
     };
     x->no_velocity = PM_COURSE_ROUNDING;
     x->tolerance = PM_SPRINGS_TOLERANCE;
@@ -146,7 +146,7 @@ static double leaves_at(pm_contact_springs *x, int i, double h)
     x->event = i / KINDS;
     x->kind = i % KINDS;
     const double nothing = nothing_of(x, x->event, x->kind), last = room_after(x, h, NULL, &slope);
-    double first = room(x, x->event, x->kind, x->still);
+    double first = room(x, x->event, x->kind, x->zero);
     for (int k = 1; first <= nothing && k <= PM_SPRINGS_LOOKS; k++) {
         a = ldexp(h, -2 * k);
         first = room_after(x, a, NULL, &slope);
@@ -179,7 +179,7 @@ static double leaves_before(pm_contact_springs *x, int i, double h)
     const int of = i / KINDS, kind = i % KINDS;
     x->event = of;
     x->kind = kind;
-    const double d[2] = {slope_of(x, x->still), slope_of(x, x->next)};
+    const double d[2] = {slope_of(x, x->zero), slope_of(x, x->next)};
     if (is_left(x, of, kind, x->next)) return h;
     if (!(d[0] < 0 && d[1] > 0)) return 0;
     const double at = nearest(x, h, d);
@@ -220,7 +220,7 @@ static void accept(pm_contact_springs *x)
 }
 
 /* Contact i ends its phase: what is compressed is released, or lost; what is released, or open, is compressed again. */
-static void turn(pm_contact_springs *x, int i, int kind)
+static void next_phase(pm_contact_springs *x, int i, int kind)
 {
     pm_contact_spring *c = &x->spring[i];
     const int loses = kind == PLACE || (c->phase == LOADS && c->restitution == 0);
@@ -255,7 +255,7 @@ static double begin(pm_contact_springs *x, double *response)
 /* Energy that could give no velocity to speak of. */
 static int holds_nothing(const pm_contact_springs *x, int i)
 {
-    const double energy = force(x, i, x->still) * x->now[i] / (x->exponent + 1);
+    const double energy = force(x, i, x->zero) * x->now[i] / (x->exponent + 1);
     return energy <= 0.5 * x->no_velocity * x->no_velocity;
 }
 
@@ -282,7 +282,7 @@ static void advance(pm_contact_springs *x, double *h)
     if (error <= 1) {
         step(x, first_event(x, *h, &who, &kind));
         accept(x);
-        if (who != PM_NONE) turn(x, who, kind);
+        if (who != PM_NONE) next_phase(x, who, kind);
     }
     *h = next;
 }

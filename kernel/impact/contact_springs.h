@@ -35,7 +35,7 @@ typedef struct pm_contact_springs {
     double *response;          /* [n][n] W */
     /* scratch */
     double *now;   /* [n] x where a step begins */
-    double *still; /* [2n] none: what x and P have grown there */
+    double *zero;  /* [2n] none: what x and P have grown there */
     double *next;  /* [2n] by how much x and P grow in the step */
     double *table; /* the scheme of extrapolation */
     double stiffest;

@@ -102,7 +102,7 @@ static int is_blow(const pm_model *model, int contact, const pm_touch *x)
 }
 
 /* Closes the open members that touch and do not part: what approaches is struck (its slot is marked PM_STRUCK; one by one
- * the first alone), and what is caught with any velocity; what is still rests, so that it can join the blow; at the start
+ * the first alone), and what is caught with any velocity; what has no velocity rests, so that it can join the blow; at the start
  * nothing is closed yet. */
 static int find_touching(pm_workspace *w, pm_blow *b, int *struck)
 {

@@ -1,7 +1,7 @@
 /* impact_loaded.c - blows that load joints whose friction goes with their load (contact_problem_joints.h).
  *
  * Where a law asks for the course of the blow, or one contact is struck alone, the slip of a joint is that of the moment, and its
- * friction turns where that ends; else it is the slip after the blow, as at the contacts.  The reactions of a joint to unit
+ * friction reverses where that ends; else it is the slip after the blow, as at the contacts.  The reactions of a joint to unit
  * impulses at contacts, and along its own slip, are read from those of all that holds. */
 #include <math.h>
 #include <string.h>

@@ -175,15 +175,15 @@
 #define PM_HISTORY_SAFETY 2.0 /* times what a chord misses there: it misses more elsewhere; larger: more rows, less: bends are passed */
 #define PM_HISTORY_PARTINGS 10 /* of a stretch between two nodes, at a corner or a jump; more: rows nearer to it */
 #define PM_MOTION_HALVINGS 30 /* of a step, until its samples tell forces that read the motion; fewer: narrow peaks are met unprepared */
-#define PM_MOTION_GROW 4.0 /* times a step that told them: the longest next one; larger: cut more often */
+#define PM_MOTION_GROW 4.0 /* times a step whose samples show them: the longest next one; larger: cut more often */
 #define PM_MOTION_CUT 1e-9 /* of a measure's change in a step: waves so small are rounding; larger: narrow peaks are missed, less: rounding makes steps short */
-#define PM_TOLD_SIZE 4.0 /* times a value: as near as the bound of the greatest one is brought; larger: what is nothing is larger */
+#define PM_SHOWN_SIZE 4.0 /* times a value: as near as the bound of the greatest one is brought; larger: what is nothing is larger */
 #define PM_TIME_WIDER 0.5 /* of the range of the bends at samples: beyond it they do not tell the stretch; larger: pulses are missed */
 #define PM_TIME_DENSE 4.0 /* times the second differences of samples: what their bends may be; larger: pulses into which a sample falls are missed */
 #define PM_TIME_LEVEL 1e-3 /* of their size, likewise */
-#define PM_TIME_PARTS 64 /* of a stretch, halved to be told; more: fewer needless cuts, each dearer */
-#define PM_TIME_AHEAD 4.0 /* times the last step: so far ahead programs are told at once; larger: samples lie less dense */
-#define PM_TIME_ENOUGH 1.5 /* times the last step: so much that is told is enough for the next; larger: told more often */
+#define PM_TIME_PARTS 64 /* of a stretch, halved until samples show it; more: fewer needless cuts, each dearer */
+#define PM_TIME_AHEAD 4.0 /* times the last step: so far ahead programs are sampled at once; larger: samples lie less dense */
+#define PM_TIME_ENOUGH 1.5 /* times the last step: so much that is shown is enough for the next; larger: sampled more often */
 #define PM_SAME_PLACE 1e-11 /* of a step: events that are closer are one instant; larger: two blows become one */
 #define PM_GAP_ROUNDING 4e-15 /* of how far bodies are from the origin: gaps are rounded by it; larger: a bounce that comes back at once is lost */
 #define PM_FORCE_SLACK 1e-10 /* of the scene's weight-like force: forces that begin on zero are solved for so well; larger: contacts part late */

@@ -203,13 +203,13 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     }
 }
 
-/* A step of the route; once more from where it began, but shorter, as long as forces that read the motion are not told by it. */
+/* A step of the route; once more from where it began, but shorter, as long as its samples do not show the forces that read the motion. */
 static int step_of_route(pm_workspace *w, double limit)
 {
     const int needed = pm_motion_course_is_needed(w);
     if (needed) pm_state_copy(&w->ahead, &w->state);
     int status = w->phase.route->step(w, limit);
-    while (needed && !status && !pm_motion_course_told(w, &w->ahead, &limit)) {
+    while (needed && !status && !pm_motion_course_shown(w, &w->ahead, &limit)) {
         pm_state_copy(&w->state, &w->ahead);
         pm_frame_look_state(&w->frame, &w->state);
         status = pm_saddle_accelerate(w);

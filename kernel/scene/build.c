@@ -84,8 +84,8 @@ static void look_for_time(pm_model *m)
 
 static int by_place(const pm_model *m, int program)
 {
-    const int nature = m->programs.class[program];
-    return nature == PM_CLASS_CONSTANT || nature == PM_CLASS_PLACE;
+    const int class = m->programs.class[program];
+    return class == PM_CLASS_CONSTANT || class == PM_CLASS_PLACE;
 }
 
 /* Whether work depends on the way alone: springs, and applied forces and couples that read no motion and no time.  The

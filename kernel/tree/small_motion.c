@@ -245,14 +245,14 @@ static const gsl_complex *best_roots(pm_workspace *w, pm_small_motion *x)
 /* ---- modes ---- */
 static void take(pm_modes *m, const gsl_complex *root, int n)
 {
-    int still = 0;
+    int at_rest = 0;
     m->n = 0;
     m->growth = -INFINITY;
     for (int i = 0; i < n; i++) {
         const double size = size_of(root[i]);
         m->growth = fmax(m->growth, GSL_REAL(root[i]));
-        if (GSL_IMAG(root[i]) < 0) continue;    /* the other one of a pair */
-        if (size == 0 && still++ % 2) continue; /* a freedom that nothing draws back has two */
+        if (GSL_IMAG(root[i]) < 0) continue;      /* the other one of a pair */
+        if (size == 0 && at_rest++ % 2) continue; /* a freedom that nothing draws back has two */
         m->omega[m->n] = size;
         m->damping[m->n++] = size > 0 ? 0 - GSL_REAL(root[i]) / size : 0; /* not -0 */
     }

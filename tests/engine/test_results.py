@@ -190,7 +190,7 @@ def test_a_route_in_time_that_has_only_begun_is_ok() -> None:
 
 
 def test_a_route_that_is_left_is_not_left_for_ever() -> None:
-    """Here a companion of ida fails where it stands, right after its step has."""
+    """Here a coarse run of ida fails where it stands, right after its step has."""
     scene = load(STUDIES / "chapter17" / "17-C5.toml")
     assert scene.run(**{"solve.route": "ida", "solve.accuracy": 1e-7}).status == "ends_singular"
 

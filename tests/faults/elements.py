@@ -317,8 +317,8 @@ FAULTS = [
     Fault(
         "force: couple of a torsion spring",
         "elements/force.c",
-        "turn(x, -stiffness * x->stretch)",
-        "turn(x, stiffness * x->stretch)",
+        "act_by_couple(x, -stiffness * x->stretch)",
+        "act_by_couple(x, stiffness * x->stretch)",
     ),
     Fault("force: no reaction on the second partner", "elements/force.c", "x.couple, -1)", "x.couple, 0)"),
     Fault(
@@ -328,36 +328,36 @@ FAULTS = [
         "(couple - (at[0] - pose[0])",
     ),
     Fault(
-        "grip: friction goes with the slip",
+        "joint friction: friction goes with the slip",
         "elements/joint_friction.c",
         "== PM_SLIDE_FORWARD ? -size",
         "== PM_SLIDE_FORWARD ? size",
     ),
     Fault(
-        "grip: slides the wrong way",
+        "joint friction: slides the wrong way",
         "elements/joint_friction.c",
         "friction > 0 ? PM_SLIDE_BACKWARD",
         "friction < 0 ? PM_SLIDE_BACKWARD",
     ),
     Fault(
-        "grip: never overcome within a phase",
+        "joint friction: never overcome within a phase",
         "elements/joint_friction.c",
         "if (needed <= limit",
         "if (w->state.t > 0 || needed <= limit",
     ),
     Fault(
-        "grip: load of one axis",
+        "joint friction: load of one axis",
         "elements/joint_friction.c",
         "return hypot(r[0], r[1]);",
         "return fabs(r[0]);",
     ),
     Fault(
-        "grip: a load has a sign",
+        "joint friction: a load has a sign",
         "elements/joint_friction.c",
         "return hypot(r[0], r[1]);",
         "return r[0] + r[1];",
     ),
-    Fault("grip: no reaction", "elements/joint_friction.c", "x->body_b = c.body[1];", ""),
+    Fault("joint friction: no reaction", "elements/joint_friction.c", "x->body_b = c.body[1];", ""),
     Fault(
         "measure: velocity of a moving observer",
         "elements/measure_body.c",

@@ -41,7 +41,7 @@ FAULTS = [
         "return 1",
     ),
     Fault(
-        "nature: a product of times",
+        "class: a product of times",
         "scene/program_grade.c",
         "(op == PM_OP_MUL && a != b)",
         "op == PM_OP_MUL",

@@ -7,7 +7,7 @@ FAULTS = [
         "decision: nothing is compared after a series", "state/evidence.c", "log->instant = part * PART;", ""
     ),
     Fault(
-        "still: bodies have no inertia",
+        "fixed: bodies have no inertia",
         "state/frame.c",
         "if (frame->numbers->fixed[i]) return",
         "if (0) return",
@@ -19,7 +19,7 @@ FAULTS = [
         "0 ? 0",
     ),
     Fault(
-        "error: the companion as tight as the run",
+        "error: the coarse run as tight as the run",
         "state/evidence.c",
         "? PM_COARSER * tightest : tightest",
         "? 2 * tightest : tightest",

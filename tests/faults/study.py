@@ -13,13 +13,13 @@ FAULTS = [
         "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"
     ),
     Fault(
-        "margin: other counts in the companion",
+        "margin: other counts in the coarse run",
         "study/margin.c",
         "if (a->outcome != b->outcome || ",
         "if (",
     ),
     Fault(
-        "margin: other numbers of blows in the companion",
+        "margin: other numbers of blows in the coarse run",
         "study/judge.c",
         "if (!alike && !(",
         "if (0 && !(",

@@ -117,7 +117,7 @@ static void obstacle(chain c, int kind, double clear)
 }
 
 /* How many are dropped. */
-static int unreached(scene *s)
+static int out_of_reach(scene *s)
 {
     EQUAL(scene_begin(s), PM_OK);
     return s->w->reach.ncontact;
@@ -129,7 +129,7 @@ static void bounds_are_sharp(void)
         for (int out = 0; out < 2; out++) {
             const chain c = double_pendulum();
             obstacle(c, kind, out ? CLOSE : -CLOSE);
-            EQUAL(unreached(c.s), out);
+            EQUAL(out_of_reach(c.s), out);
             scene_free(c.s);
         }
 }
@@ -146,7 +146,7 @@ static void only_what_stays(void)
             SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_REMOVE, event, PM_TABLE_JOINT, 1, PM_NONE, PM_NONE);
         if (k == 2)
             SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_REMOVE, event, PM_TABLE_CONTACT, 0, PM_NONE, PM_NONE);
-        EQUAL(unreached(s), k == 0);
+        EQUAL(out_of_reach(s), k == 0);
         scene_free(s);
     }
     scene *s = scene_create();
@@ -154,7 +154,7 @@ static void only_what_stays(void)
     scene_joint(s, PM_JOINT_SLIDER, scene_point(s, free, 0, 0), scene_floor(s, 0), 0);
     scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, free, 0, 0), 0.1),
                   level(s, PM_GROUND, -9), 0, 0, PM_FRICTION_SMOOTH, 0);
-    EQUAL(unreached(s), 0);
+    EQUAL(out_of_reach(s), 0);
     scene_free(s);
 }
 

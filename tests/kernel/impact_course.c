@@ -162,7 +162,7 @@ static void rough(void)
 /* Friction that draws a pair together strikes it though it does not approach; with less of it there is no blow. */
 static void without_collision(void)
 {
-    int drawn = 0, quiet = 0;
+    int drawn = 0, held = 0;
     while (drawn < 45) {
         pm_impact_course x = some(drawn % PM_LAWS);
         pm_impact_course_end end, mirrored;
@@ -172,7 +172,7 @@ static void without_collision(void)
         const int draws = x.a < x.mu_kinetic * fabs(x.b);
         EQUAL(pm_impact_course_draws(&x), draws);
         EQUAL(pm_impact_course_follow(&x, &end), draws);
-        quiet += !draws;
+        held += !draws;
         if (!draws) continue;
         const stepped s = step_through(&x);
         NEAR(end.normal, s.normal, STEPPED * 50);
@@ -190,7 +190,7 @@ static void without_collision(void)
         NEAR(mirrored.normal, end.normal, CLOSE);
         drawn++;
     }
-    CHECK(quiet > 5);
+    CHECK(held > 5);
 }
 
 /* One degree of freedom: normal and tangent move together.  Friction slows the approach down; what would part again it

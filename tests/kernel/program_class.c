@@ -1,4 +1,4 @@
-/* Natures of programs: what they are functions of, how they grow with the kinetic energy, and what a shift does to
+/* Classes of programs: what they are functions of, how they grow with the kinetic energy, and what a shift does to
  * them; a round body may turn as it likes, others only whole turns. */
 #include "expression/program_class.h"
 
@@ -53,12 +53,12 @@ static int with(rig *r, int a, double number, int code)
     return SCENE_PROGRAM(r->s, scene_m(a), k(r, number), op(code));
 }
 
-static void natures(void)
+static void classes(void)
 {
     rig r = make_rig(0);
     scene *s = r.s;
     const struct {
-        int program, nature, reads_time, discrete;
+        int program, class, reads_time, discrete;
     } expected[] = {
         {SCENE_PROGRAM(s, k(&r, 1), k(&r, 2), op(PM_OP_ADD)), PM_CLASS_CONSTANT, 0, 0},
         {with(&r, r.time, 2, PM_OP_SUB), PM_CLASS_TIME, 1, 0},
@@ -79,7 +79,7 @@ static void natures(void)
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, expected[9].program), 1);
     if (CHECK(scene_open(s) == PM_OK))
         for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
-            EQUAL(pm_program_grade_class(s->model, expected[i].program), expected[i].nature);
+            EQUAL(pm_program_grade_class(s->model, expected[i].program), expected[i].class);
             EQUAL(pm_program_class_reads_time(s->model, expected[i].program), expected[i].reads_time);
             EQUAL(pm_program_class_is_discrete(s->model, expected[i].program), expected[i].discrete);
         }
@@ -200,7 +200,7 @@ static void obstacles(void)
 
 int main(void)
 {
-    natures();
+    classes();
     growths();
     shifts();
     obstacles();

@@ -1,4 +1,4 @@
-/* Legs that repeat: hundreds of bars against the closed form, and against the same run with every leg computed. */
+/* Segments that repeat: hundreds of bars against the closed form, and against the same run with every segment computed. */
 #include "check.h"
 #include "scene.h"
 
@@ -57,9 +57,9 @@ static void against_recursion(void)
         EQUAL(scene_run(s, NULL), PM_OK);
         const double gain = 10 / 7. * G / (r * r) * d * sin(slope);
         const double top =
-            10 / 7. * G / r * (1 - cos(x.lean - slope)); /* from the begin of a leg to its top */
+            10 / 7. * G / r * (1 - cos(x.lean - slope)); /* from the begin of a segment to its top */
         const double k = 1 - 5 / 7. * (1 - cos(2 * x.lean));
-        /* the first leg begins over its bar, gone by lean: as if it had begun there with */
+        /* the first segment begins over its bar, gone by lean: as if it had begun there with */
         double square = start * start + 10 / 7. * G / r * (cos(slope) - cos(x.lean - slope)), before = 0,
                slowest = start * start;
         slowest -= slope < 0 ? 10 / 7. * G / r * (1 - cos(slope)) : 0;
@@ -92,13 +92,13 @@ static void against_recursion(void)
     }
 }
 
-/* ---- the same run with every leg computed ---- */
-/* A program that reads the time keeps an uneven run from passing legs over. */
+/* ---- the same run with every segment computed ---- */
+/* A program that reads the time keeps an uneven run from passing segments over. */
 static void compute_every_leg(scene *s) { scene_set(s, PM_SETTING_MAX_TIME, 1e6); }
 
 typedef void asker(bars *x);
 
-/* Runs the scene with and without legs passed over, and compares every answer. */
+/* Runs the scene with and without segments passed over, and compares every answer. */
 static void compare(double r, double d, double slope, double omega, asker *ask, int64_t fewest,
                     const char *name)
 {
@@ -131,7 +131,7 @@ static int count_of(bars *x, int event)
 }
 static int height_of(bars *x) { return scene_part(x->s, PM_MEASURE_POSITION, x->g, PM_PART_Y); }
 
-/* What the sphere is at the end, and extremes of all natures. */
+/* What the sphere is at the end, and extremes of all kinds. */
 static void ask_state(bars *x)
 {
     scene *s = x->s;
@@ -210,7 +210,7 @@ static void grid(bars *x)
     scene_until(s, x->strike, 80);
 }
 
-/* Ends in the middle of a leg, at a place: legs before it went further. */
+/* Ends in the middle of a segment, at a place: segments before it went further. */
 static void until_place(bars *x)
 {
     ask_state(x);
@@ -218,7 +218,7 @@ static void until_place(bars *x)
     scene_until(x->s, scene_when(x->s, PM_TRIGGER_RISE, scene_minus(x->s, place_of(x), 1.713)), 1);
 }
 
-/* Ends when the sphere's top of the 70th bar is passed: in the middle of a leg, by its count. */
+/* Ends when the sphere's top of the 70th bar is passed: in the middle of a segment, by its count. */
 static void until_tops(bars *x)
 {
     scene *s = x->s;
@@ -283,7 +283,7 @@ static void until_stop(bars *x)
     scene_until(x->s, scene_when(x->s, PM_TRIGGER_CROSS, scene_read(x->s, omega_of(x))), 1);
 }
 
-/* Triggers that the last leg over the barrier may be the first to set off. */
+/* Triggers that the last segment over the barrier may be the first to set off. */
 static void until_stop_with_marks(bars *x)
 {
     scene *s = x->s;
@@ -317,8 +317,8 @@ static void against_computed(void)
         compare(0.25, 0.05, 0, 1.5 + 0.1 * i, until_stop_with_marks, 0, "marks until it stops");
 }
 
-/* ---- the last leg over the barrier ---- */
-/* What is greatest on a top: T and what goes with it are least there in the last leg that gets over it, but the one that
+/* ---- the last segment over the barrier ---- */
+/* What is greatest on a top: T and what goes with it are least there in the last segment that gets over it, but the one that
  * falls back does not come there. */
 static void on_top(bars *x, int kind, int measure, double weight)
 {
@@ -329,7 +329,7 @@ static void on_top(bars *x, int kind, int measure, double weight)
                       PM_NONE);
 }
 
-/* Told by the places of the leg before; computed, as the impulse of its blow is asked; with all others computed. */
+/* Told by the places of the segment before; computed, as the impulse of its blow is asked; with all others computed. */
 static void last_over_barrier(double d, double slope, double omega, int estimated)
 {
     enum { TOLD, ASKED, ALL, RUNS };

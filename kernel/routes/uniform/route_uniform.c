@@ -73,11 +73,11 @@ static int paths_are_parabolas(const pm_workspace *w)
 /* A slip, positive while it lasts, of a slot or of the friction of a joint. */
 typedef double pm_slip(pm_workspace *w, int which, double t);
 
-static double joint_slip_at(pm_workspace *w, int grip, double t)
+static double joint_slip_at(pm_workspace *w, int friction, double t)
 {
     pm_uniform_look(w, t);
-    const double slip = pm_joint_friction_slip(&w->frame, grip);
-    return w->state.friction[grip] == PM_SLIDE_FORWARD ? slip : -slip;
+    const double slip = pm_joint_friction_slip(&w->frame, friction);
+    return w->state.friction[friction] == PM_SLIDE_FORWARD ? slip : -slip;
 }
 
 static double slip_at(pm_workspace *w, int slot, double t)

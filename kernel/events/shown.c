@@ -1,5 +1,5 @@
-/* told.c - samples beside enclosures. */
-#include "events/told.h"
+/* shown.c - samples beside enclosures. */
+#include "events/shown.h"
 
 #include <math.h>
 
@@ -9,11 +9,11 @@
  * sample falls by chance into a pulse that is narrower than their distance. */
 static int are_dense(const pm_jet *sample, double apart, double nothing)
 {
-    double second[PM_TOLD_SAMPLES];
-    for (int k = 1; k + 1 < PM_TOLD_SAMPLES; k++)
+    double second[PM_SHOWN_SAMPLES];
+    for (int k = 1; k + 1 < PM_SHOWN_SAMPLES; k++)
         second[k] = fabs(sample[k - 1].value.lo - 2 * sample[k].value.lo + sample[k + 1].value.lo);
-    for (int k = 0; k < PM_TOLD_SAMPLES; k++) {
-        const int first = k < 2 ? 1 : k - 1, last = k > PM_TOLD_SAMPLES - 3 ? PM_TOLD_SAMPLES - 2 : k + 1;
+    for (int k = 0; k < PM_SHOWN_SAMPLES; k++) {
+        const int first = k < 2 ? 1 : k - 1, last = k > PM_SHOWN_SAMPLES - 3 ? PM_SHOWN_SAMPLES - 2 : k + 1;
         double most = 0;
         for (int j = first; j <= last; j++) most = fmax(second[j], most);
         const double bend = pm_interval_size(sample[k].bend); /* not bounded where a root begins */
@@ -27,7 +27,7 @@ typedef struct pm_stretch {
     double from, to, most; /* of its size there: no more */
 } pm_stretch;
 
-static pm_stretch part_of(const pm_told *x, double from, double to)
+static pm_stretch part_of(const pm_shown *x, double from, double to)
 {
     return (pm_stretch){from, to, pm_interval_size(x->enclose(x, from, to).jet.value)};
 }
@@ -42,14 +42,14 @@ static int greatest_of(const pm_stretch *part, int n)
 
 /* The greatest size that it has in the stretch, but for a factor: the part with the greatest bound is halved until that is near
  * to a value.  (Over a wide part 1 / (e^x + e^-x) has a bound out of all proportion.) */
-static void take_size(const pm_told *x, double from, double to, double known)
+static void take_size(const pm_shown *x, double from, double to, double known)
 {
     pm_stretch part[PM_TIME_PARTS];
     int n = 1;
     *x->size = fmax(*x->size, known);
     part[0] = part_of(x, from, to);
     for (int k = 0; n < PM_TIME_PARTS; k = greatest_of(part, n)) {
-        if (part[k].most <= PM_TOLD_SIZE * *x->size) break;
+        if (part[k].most <= PM_SHOWN_SIZE * *x->size) break;
         const double middle = 0.5 * (part[k].from + part[k].to), end = part[k].to;
         *x->size = fmax(*x->size, pm_interval_size(x->enclose(x, middle, middle).jet.value));
         part[k] = part_of(x, part[k].from, middle);
@@ -58,15 +58,15 @@ static void take_size(const pm_told *x, double from, double to, double known)
 }
 
 /* ---- samples ---- */
-/* The bends at the samples, widened by what changes nothing; 0: the samples are too far from each other to tell. */
-static int told_bends(const pm_told *x, double from, double to, pm_interval *told)
+/* The bends at the samples, widened by what changes nothing; 0: the samples are too far from each other to show anything. */
+static int sampled_bends(const pm_shown *x, double from, double to, pm_interval *bends)
 {
-    pm_jet sample[PM_TOLD_SAMPLES];
+    pm_jet sample[PM_SHOWN_SAMPLES];
     pm_interval seen = {INFINITY, -INFINITY};
     const double h = to - from;
     double known = 0;
-    for (int k = 0; k < PM_TOLD_SAMPLES; k++) {
-        const double t = from + h * k / (PM_TOLD_SAMPLES - 1);
+    for (int k = 0; k < PM_SHOWN_SAMPLES; k++) {
+        const double t = from + h * k / (PM_SHOWN_SAMPLES - 1);
         sample[k] = x->enclose(x, t, t).jet;
         seen = pm_interval_hull(seen, sample[k].bend);
         const double value = pm_interval_size(sample[k].value);
@@ -74,26 +74,26 @@ static int told_bends(const pm_told *x, double from, double to, pm_interval *tol
     }
     take_size(x, from, to, known);
     const double nothing = x->w->numbers.tolerance * *x->size;
-    *told = pm_enclosure_told_bends(seen, nothing / (h * h));
-    return are_dense(sample, h / (PM_TOLD_SAMPLES - 1), nothing);
+    *bends = pm_enclosure_sampled_bends(seen, nothing / (h * h));
+    return are_dense(sample, h / (PM_SHOWN_SAMPLES - 1), nothing);
 }
 
 /* Whether the program stays within its bends over a part of the stretch. */
-static int stays(const pm_told *x, pm_interval told, double from, double to, int *budget)
+static int stays(const pm_shown *x, pm_interval bends, double from, double to, int *budget)
 {
     const double middle = 0.5 * (from + to);
-    if (pm_interval_inside(x->enclose(x, from, to).jet.bend, told)) return 1;
-    if (--*budget < 0 || !pm_interval_inside(x->enclose(x, middle, middle).jet.bend, told)) return 0;
-    return stays(x, told, from, middle, budget) && stays(x, told, middle, to, budget);
+    if (pm_interval_inside(x->enclose(x, from, to).jet.bend, bends)) return 1;
+    if (--*budget < 0 || !pm_interval_inside(x->enclose(x, middle, middle).jet.bend, bends)) return 0;
+    return stays(x, bends, from, middle, budget) && stays(x, bends, middle, to, budget);
 }
 
-int pm_told_between(const pm_told *x, double from, double to)
+int pm_shown_between(const pm_shown *x, double from, double to)
 {
-    const double h = (to - from) / (PM_TOLD_SAMPLES - 1);
-    pm_interval told;
+    const double h = (to - from) / (PM_SHOWN_SAMPLES - 1);
+    pm_interval bends;
     int budget = PM_TIME_PARTS;
-    if (!told_bends(x, from, to, &told)) return 0;
-    for (int k = 0; k + 1 < PM_TOLD_SAMPLES; k++)
-        if (!stays(x, told, from + h * k, from + h * (k + 1), &budget)) return 0;
+    if (!sampled_bends(x, from, to, &bends)) return 0;
+    for (int k = 0; k + 1 < PM_SHOWN_SAMPLES; k++)
+        if (!stays(x, bends, from + h * k, from + h * (k + 1), &budget)) return 0;
     return 1;
 }
