@@ -286,9 +286,9 @@ int pm_batch(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
              double *detail, double *audit, int64_t *count, double *found, double *error, double *margin,
              double *trust);
 
-/* Runs one case as pm_batch does, but with all parameters as given (no find), and records it: rows (t, program values) at its start, before and
- * after every event, at its end, and between them on a grid of times or at places of every step; `mark` is 0 for those, 1 before
- * an event, 2 after it.
+/* Runs one case as pm_batch does, but with all parameters as given (no find), and records it: rows (t, program values) at its
+ * start, before and after every event, at its end, and between them on a grid of times or at places of every step; `mark` is 0
+ * for those, 1 before an event, 2 after it.
  *   every                  > 0: the grid is 0, every, 2 every, ..., s;  0: the ends and nodes of steps
  *   trace_program[ntrace]  programs to record
  *   bend[ntrace]           without a grid: what a straight line over t from row to row may miss of each, in its unit, else
@@ -321,9 +321,10 @@ enum pm_phase_column {
         14, /* gaps that were not looked at in its steps, out of reach of them (gap_culling.h) */
     PM_PHASE_COLUMNS = 15
 };
-/* Runs one case as pm_trace does and reports its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s
- * (not a number where the time is not computed); needed[1]: rows wanted; joint[cap][njoint], contact[cap][ncontact], 0 before: as pm_check says.  most > 0: stops as the phase of that number
- * begins (its row is there).  Returns a status of the case; PM_CANCELLED where it was stopped. */
+/* Runs one case as pm_trace does and reports its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s (not a
+ * number where the time is not computed); needed[1]: rows wanted; joint[cap][njoint], contact[cap][ncontact], 0 before: as
+ * pm_check says.  most > 0: stops as the phase of that number begins (its row is there).  Returns a status of the case;
+ * PM_CANCELLED where it was stopped. */
 int pm_phases(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
               const double *param, const int32_t *stop, int64_t most, int64_t cap, int32_t *phase,
               double *time, int64_t njoint, int32_t *joint, int64_t ncontact, int32_t *contact,

@@ -155,6 +155,18 @@ def silent_tolerances(kernel: Path) -> list[str]:
     return found
 
 
+def lost_files(kernel: Path) -> list[str]:
+    """Sources that comments name and that are not there; `name.c` stands for any."""
+    there = {path.name for path in kernel.rglob("*.[ch]")}
+    return sorted(
+        f"{unit(kernel, path)}: {name}"
+        for path in kernel.rglob("*.[ch]")
+        for comment in COMMENT.findall(path.read_text(encoding="utf-8"))
+        for name in re.findall(r"(?<![\w*])\w+\.[ch]\b", comment)
+        if name not in there and not name.endswith("_name.c")
+    )
+
+
 def strange_names(kernel: Path, plan: House) -> list[str]:
     """Functions and tables for others that begin neither with the first word of their file nor with a struct.
 
@@ -240,6 +252,10 @@ def test_a_room_names_all_its_files_and_no_other() -> None:
     for room in house().rooms:
         there = {path.stem for path in (KERNEL / room).glob("*.[ch]")}
         assert named((KERNEL / room / "README.md").read_text(encoding="utf-8")) == there, room
+
+
+def test_comments_name_files_that_are_there() -> None:
+    assert lost_files(KERNEL) == []
 
 
 def test_functions_are_called_after_their_files() -> None:
@@ -367,6 +383,11 @@ def test_a_function_with_a_strange_name_is_found(tmp_path: Path) -> None:
         low__stone_h="typedef struct pm_block {\n    int a;\n} pm_block;\n",
     )
     assert strange_names(kernel, PLAN) == ["high/roof: pm_tile"]
+
+
+def test_a_file_that_is_gone_is_found(tmp_path: Path) -> None:
+    kernel = built(tmp_path, low__stone_c="/* See wall.h, clay.c. */\nint pm_stone(void) { return 1; }")
+    assert lost_files(kernel) == ["low/stone: clay.c"]
 
 
 def test_circles_are_found_in_one_room_and_through_several(tmp_path: Path) -> None:

@@ -66,10 +66,10 @@ typedef struct pm_constraint_bounds {
     int exact;   /* the second rate *is* bend, throughout */
 } pm_constraint_bounds;
 
-/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip constraints)
- * sets or refreshes the memory (of the anchor, else of the foot) from the frame: anchor_too = 1 closes the constraint here.  `steady`: the Jacobian stays
- * the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as evaluated at
- * the frame, with the accelerations a[nq + 3]. */
+/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip constraints) sets or
+ * refreshes the memory (of the anchor, else of the foot) from the frame: anchor_too = 1 closes the constraint here. `steady`:
+ * the Jacobian stays the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as
+ * evaluated at the frame, with the accelerations a[nq + 3]. */
 typedef struct pm_constraint_ops {
     void (*evaluate)(const pm_frame *frame, pm_constraint *c);
     void (*act)(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x);

@@ -3,8 +3,8 @@
  *
  *   point   C = e.(p_a - p_b) - P      Cdot = e.(v_a - v_b) - w       gamma = -e.quad + dw/dt       w = dP/dt
  *   spin    C = angle_a - r angle_b - P  Cdot = omega_a - r omega_b - w gamma = dw/dt
- * Where w is given, P is the anchor and the integral of w (drive.c); the anchor alone where nothing is prescribed.  The couples on the bodies are as 1 to -r: what
- * is left over is held by the ground. */
+ * Where w is given, P is the anchor and the integral of w (drive.c); the anchor alone where nothing is prescribed.  The couples
+ * on the bodies are as 1 to -r; the ground takes the rest. */
 #include "elements/constant_motion.h"
 #include "elements/constraint.h"
 #include "elements/drive.h"

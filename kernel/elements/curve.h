@@ -18,9 +18,9 @@ typedef struct pm_curve_place {
 /* The place s; beyond the ends of an open curve by its series there, with the derivatives it ends with. */
 pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s);
 
-/* The foot of a point x (in the axes of the curve): where x - p is along n, at the height n.(x - p).  It is the one that
- * a point has which comes from the foot s: the search goes from there, and gives it up (a place that is no number) where the tangent
- * turns by more than PM_CURVE_WINDOW. */
+/* The foot of a point x (in the axes of the curve): where x - p is along n, at the height n.(x - p).  The search starts from
+ * the foot s that the point had before; it ends without a foot (a place that is no number) where the tangent turns by more than
+ * PM_CURVE_WINDOW. */
 pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2], double s, double *height);
 /* The foot that is nearest to x of all. */
 pm_curve_place pm_curve_nearest(const pm_frame *frame, int curve, const double x[2], double *height);

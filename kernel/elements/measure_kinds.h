@@ -1,4 +1,4 @@
-/* measure_kinds.h - how each kind of measure is read off the frame; the table of measure.c tells which is which. */
+/* measure_kinds.h - how each kind of measure is read off the frame; measure.c has the table of them. */
 #ifndef PM_MEASURE_KINDS_H
 #define PM_MEASURE_KINDS_H
 

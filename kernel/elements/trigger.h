@@ -22,8 +22,8 @@ double pm_trigger_time(const pm_firing *firing, int event);
 double pm_trigger_program(pm_workspace *w, int trigger);
 /* The trigger's program depends on time alone, and linearly: it needs no watching. */
 int pm_trigger_on_time(const pm_model *model, int trigger);
-/* Sides of the switches of forces (PM_EFFECT_SWITCH), and pieces of tables (PM_EFFECT_PIECE), by the frame: as the run begins; after a jump from what firing.before
- * says. */
+/* Sides of the switches of forces (PM_EFFECT_SWITCH), and pieces of tables (PM_EFFECT_PIECE), by the frame: as the run begins;
+ * after a jump, from the values in firing.before. */
 void pm_trigger_take_sides(pm_workspace *w);
 void pm_trigger_jump_sides(pm_workspace *w);
 /* It tells where a force switches (PM_EFFECT_SWITCH). */

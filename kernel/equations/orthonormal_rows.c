@@ -1,5 +1,5 @@
-/* orthonormal_rows.c - modified Gram-Schmidt on rows x_k sqrt(1/m_k); where much of a row has gone what is left is taken off once more
- * (twice is enough, by Kahan and Parlett). */
+/* orthonormal_rows.c - modified Gram-Schmidt on rows x_k sqrt(1/m_k); where little of a row is left it is orthogonalised once
+ * more (twice is enough, by Kahan and Parlett). */
 #include "equations/orthonormal_rows.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* solve_cache.c - what a state has said already is not worked out once more.
+/* solve_cache.c - what was computed of a state is used again where the same state is looked at.
  *
  * Around an event one state is looked at again and again: at the end of a step, before the blow, after the modes are
  * found, when the next phase begins.  Where forces depend on the configuration alone, accelerations and reactions follow

@@ -1,4 +1,4 @@
-/* bounce_series.c - the time that the bounces take which are too small to be computed.
+/* bounce_series.c - how long the bounces last that are too small to be computed.
  *
  * A contact that bounces is closed at a blow whose rebound is lost in rounding (last_bounce.c).  The bounces that are left
  * take a time all the same.  One contact alone, or several that share bodies, are struck in an order that comes again after
@@ -10,11 +10,12 @@
  *   S (r + r^2 + ...) = S r / (1 - r).
  * Until then the contacts are closed, which moves the bodies as the bounces do but for their height, and nothing that they
  * touch counts as being at rest: such a phase is computed in time.  Where the gaps of such an order are too small for their
- * ratio to settle, the end is expected by the ratio of the last cycles, in a coarse run by that of the cycles before.  What bounces
- * alone and has not settled is taken to go on by its last ratio; what would be left with r = e tells what is not known, and a
- * coarse run is off by that.  But where its flights shrink far less than the speeds (r near 1: nothing presses what bounces) no
- * end of the series is known: it never rests as far as can be told, and its blows are not counted any more.  Several contacts
- * without an order are over when they are cut off; a coarse run cuts them off earlier and shows what that loses. */
+ * ratio to settle, the end is expected by the ratio of the last cycles, in a coarse run by that of the cycles before.  What
+ * bounces alone and has not settled is taken to go on by its last ratio; what would be left with r = e tells what is not known,
+ * and a coarse run is off by that.  But where its flights shrink far less than the speeds (r near 1: nothing presses what
+ * bounces) no end of the series is known: the body is not called at rest, and its blows are no longer counted.  The series of
+ * several contacts without an order ends where it is cut off; a coarse run cuts it off earlier, and the difference is the error
+ * of that. */
 #include "events/bounce_series.h"
 
 #include <math.h>

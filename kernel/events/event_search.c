@@ -1,8 +1,8 @@
 /* event_search.c - which functions of a phase go through zero first in a step.
  *
- * Every function is sampled at the nodes of each step (event_sampling.c).  A change of sign between two nodes, or a dip
- * that goes through zero, is bracketed (event_bracket.c) and located on the route's dense output; the first of all is
- * then polished on exact states (event_locate.c). */
+ * Every function is sampled at the nodes of each step (event_samples.c).  A change of sign between two nodes, or a dip that
+ * goes through zero, is bracketed (event_bracket.c) and located on the route's dense output; the first of all is then polished
+ * on exact states (event_locate.c). */
 #include "events/event_search.h"
 
 #include <math.h>

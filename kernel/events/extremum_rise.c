@@ -7,7 +7,7 @@
  *
  *   g'(x) = p'(x) + e w'/w + w h',    the extreme is at x - g' / g'', g'^2 / 2 |g''| above g(x)
  *
- * and w h', no more than some n e, is what stays residual.  Looks go on until that makes nothing. */
+ * and w h', no more than some n e, is the error that is left.  More looks are taken until it is too small to matter. */
 #include <math.h>
 
 #include "events/extremum_parts.h"

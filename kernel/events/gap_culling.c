@@ -1,9 +1,9 @@
 /* gap_culling.c - how far bodies move in a step, against the gaps of open contacts.
  *
  * The gap of a circle beside a fixed line or fixed points, or beside another circle, changes by no more than their centres
- * move.  A centre moves by no more than its body's origin does, and its distance from there times the turn.  So a gap that
- * was g once is at least g - s after its bodies have moved by s together, whatever the way: it is looked at again when s
- * has come to a part of g.  What is not looked at could neither have closed nor have come near to it.
+ * move.  A centre moves by no more than its body's origin does, plus its distance from there times the angle of rotation.  So a
+ * gap that was g once is at least g - s after its bodies have moved by s together, whatever the way: it is looked at again when
+ * s has come to a part of g.  What is not looked at could neither have closed nor have come near to it.
  *
  * Circles that meet circles part again behind each other: a step that moves them by more than their gap moves them from
  * node to node by no more than their radii, so that one of the nodes finds them together. */

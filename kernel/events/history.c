@@ -1,8 +1,8 @@
 /* history.c - appends rows while there is room, and counts all of them.
  *
  * On a grid: where the time along a step takes a value of it (numerics/bracket.h), as asks find their grid values.  Without
- * one: a stretch between two nodes of a step is parted while some program at the parting lies farther from the chord, over
- * the time, than its bend allows.  It is parted off its middle, where a chord through a turning point would be met. */
+ * one: a stretch between two nodes of a step is divided as long as, at the point of division, some program lies farther from
+ * its chord over the time than history.bend allows.  That point is not the middle, where a symmetric curve may cross its chord. */
 #include "events/history.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* integral.c - each step adds its part: by the polynomial through its nodes where that resolves the value, else by Gauss-Kronrod
- * quadrature of looks.
+/* integral.c - each step adds its part: by the polynomial through its nodes where that resolves the value, else by
+ * Gauss-Kronrod quadrature.
  *
  * Where a switch of the program changes (program.h) the value has a corner or jumps: the step is cut there, and each piece is
  * smooth.  The windows of a step (step_window.h) see to it that between two nodes no switch changes twice. */

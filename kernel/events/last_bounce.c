@@ -1,11 +1,11 @@
 /* last_bounce.c - which rebound is the last.
  *
  * A contact with restitution e < 1 bounces infinitely often in a finite time.  The height of a bounce goes by its speed
- * squared, h = v^2 / 2g: it is lost in the rounding of positions, which goes by how far the scene reaches, while v is far
- * from rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better.
- * Bodies on several contacts rock from one to the other in the same way, without any restitution: what would part so slowly
- * because another contact has been struck is held.  Where several are struck in an order that comes again, the last blow of
- * one is the last of all: none of them is further off than rounding shows. */
+ * squared, h = v^2 / 2g: it is lost in the rounding of positions, which goes by how far the scene reaches, while v is far from
+ * rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better. Bodies on
+ * several contacts rock from one to the other in the same way, even without restitution: a contact that would part so slowly
+ * because another one was struck is held closed.  Where several are struck in an order that repeats, the last blow of one is
+ * the last of all: by then every gap is within rounding. */
 #include "events/last_bounce.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* motion_course.c - forces along a step, by enclosures along the polynomials of what they read. */
+/* motion_course.c - forces along a step: each is enclosed along the polynomials of the measures that it reads. */
 #include "events/motion_course.h"
 
 #include <math.h>

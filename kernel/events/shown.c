@@ -1,4 +1,4 @@
-/* shown.c - samples beside enclosures. */
+/* shown.c - compares the samples of a program with its enclosures. */
 #include "events/shown.h"
 
 #include <math.h>

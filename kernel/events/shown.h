@@ -1,7 +1,7 @@
 /* shown.h - whether samples of a stretch show what a program does between them.
  *
- * They do if its bend f'' stays, everywhere in between, within what it is at the samples: a pulse between two of them bends it
- * much more.  Parts of the stretch whose enclosure does not show that are halved. */
+ * They do if its second derivative stays, everywhere in between, within what it is at the samples: a pulse between two of them
+ * has a much greater one.  Where the enclosure of a part is too wide to say so, the part is halved. */
 #ifndef PM_SHOWN_H
 #define PM_SHOWN_H
 

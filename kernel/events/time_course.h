@@ -1,4 +1,4 @@
-/* time_course.h - what forces and drives do in time: when they switch, and how far ahead a step tells them.
+/* time_course.h - what forces and drives do in time: when they switch, and how far ahead samples show them.
  *
  * Programs of forces, drives and the turning plane may switch at some instants (t > 3 s): there a phase ends and another
  * begins.  Between them they are smooth, and a step goes no farther than its stages can tell what they do. */

@@ -1,13 +1,13 @@
-/* waves.c - samples beside enclosures.
+/* waves.c - compares the samples of programs with their enclosures.
  *
  * The samples of a smooth program show it if
- *   its bend is small all along beside the range of the samples, or else
+ *   its second derivative is small everywhere, compared with the range of the samples, or else
  *   the highest coefficients of the polynomial p through them are small,
  *   p' at the nodes is the rate of the program there, and
- *   its bend stays, everywhere in between, within what it is at the nodes (as events/time_course.c has it).
- * What is made of measures by sums, products and switches alone is between the switches as smooth as they are.
- * Where it switches by the motion it has a corner or jumps: it is not shown there, unless it is an ask whose branches are
- * looked at one by one (extremum_branch.c) and every switch is passed once. */
+ *   its second derivative stays, everywhere in between, within what it is at the nodes (shown.h).
+ * A program that is made of measures by sums, products and switches alone is, between its switches, as smooth as they are.
+ * Where it switches by the motion it has a corner or jumps, which samples do not show.  An ask is an exception: its branches
+ * are searched one by one (extremum_branch.c), if every switch changes only once. */
 #include "events/waves.h"
 
 #include <math.h>

@@ -2,9 +2,9 @@
  * switches.
  *
  * A program is smooth but where an operation switches: a comparison, a choice, abs, min, max or floor whose operands change
- * sides, and atan2 that leaps from pi to -pi.  Over a stretch every switch is decided (its operands keep their sides), or it is open.  Over a
- * stretch of time, what a program reads but the time - measures of the motion, answers - is taken as the number 1: the enclosure
- * tells what the time alone does, and switches by the motion are not told. */
+ * sides, and atan2 that leaps from pi to -pi.  Over a stretch a switch is decided (its operands keep their sides), or it is
+ * open. Over a stretch of time, all that a program reads beside the time - measures of the motion, answers - is taken as the
+ * number 1: the enclosure bounds what the time alone does, and says nothing of switches by the motion. */
 #ifndef PM_ENCLOSURE_H
 #define PM_ENCLOSURE_H
 

@@ -1,4 +1,4 @@
-/* program_class.h - what kind of function a program is, read off its code once per scene: what the planner may skip follows. */
+/* program_class.h - what kind of function a program is, read off its code once per scene; it says what the planner may skip. */
 #ifndef PM_PROGRAM_CLASS_H
 #define PM_PROGRAM_CLASS_H
 

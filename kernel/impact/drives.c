@@ -1,4 +1,4 @@
-/* drives.c - an instant at which what drives prescribe switches.
+/* drives.c - an instant at which a prescribed place or rate has a corner or a jump.
  *
  * A prescribed place p(t) may have a corner there, and a prescribed rate w(t) a jump: the velocities before it meet the old
  * rate, those after it the new one. That is a blow with all joints held,

@@ -11,9 +11,9 @@
  * The three agree without friction.
  *
  * Where a - mu |b| <= 0 friction draws a pair that slips together, and a blow begins with u_n = 0: an impact without collision
- * (Painleve).  The slip ends in it, for a c >= b^2, and compression soon after it.
- * [F. Genot and B. Brogliato, Eur. J. Mech. A/Solids 18 (1999) 653; E. J. Routh, Dynamics of a System of Rigid Bodies, Elementary Part, ch. IV;
- * Y. Wang and M. T. Mason, J. Appl. Mech. 59 (1992) 635; W. J. Stronge, Proc. R. Soc. A 431 (1990) 169] */
+ * (Painleve).  The slip ends in it, for a c >= b^2, and compression soon after it. [F. Genot and B. Brogliato, Eur. J. Mech.
+ * A/Solids 18 (1999) 653; E. J. Routh, Dynamics of a System of Rigid Bodies, Elementary Part, ch. IV; Y. Wang and M. T. Mason,
+ * J. Appl. Mech. 59 (1992) 635; W. J. Stronge, Proc. R. Soc. A 431 (1990) 169] */
 #include "impact/impact_course.h"
 
 #include <math.h>

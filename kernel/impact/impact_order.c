@@ -1,8 +1,8 @@
 /* impact_order.c - whether a blow of several contacts would leave another motion if its contacts were struck one by one.
  *
  * Each contact that approaches is struck first once, alone and from the velocities before the blow; after it always the one
- * that approaches fastest, until none does: no order in the file decides what is told.  The velocities at the contacts are
- * compared with those after the blow.  A blow whose speeds are rounding has no order. */
+ * that approaches fastest, until none does: the order of the contacts in the file does not matter.  The velocities at the
+ * contacts are compared with those after the blow.  A blow whose speeds are rounding has no order. */
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* switches.c - sides by a look a little ahead. */
+/* switches.c - on which side of a switch a phase begins, by a state a little ahead. */
 #include "impact/switches.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
-/* table_ends.c - what acts on the motion reads each table within its ends, or the run is over.
+/* table_ends.c - a run is over where a force or drive reads a table beyond its ends.
  *
- * What is read along the motion lies in a piece of the table (PM_EFFECT_PIECE), which tells it.  What the time alone reads may be
- * at the very end: a moment later it is beyond. */
+ * A reading by the motion has a piece of the table (PM_EFFECT_PIECE): beyond the last piece it has left the table.  A reading
+ * by the time alone may stand at the very end of the table: a moment later it is beyond. */
 #include "impact/table_ends.h"
 
 #include <float.h>

@@ -35,9 +35,9 @@ double pm_bracket_slope(pm_along *f, void *of, void *context, double begin, doub
 /* What is known exactly only at places that are looked at: the value there, and a status (0: well). */
 typedef int pm_exactly(void *of, double x, void *context, double *value);
 
-/* Moves a root *x of the approximation f, inside [begin, end], to where the exact function is zero, or least of all that was
- * seen: *off.  *taken is where it was looked at last.  slope: of f at the root, or NAN where it is to be found by differences.  Returns
- * the status of a look. */
+/* Moves a root *x of the approximation f, inside [begin, end], to where the exact function is zero, or least of all values that
+ * were taken: *off.  *taken is the last place where one was taken.  slope: of f at the root, or NAN: it is found by
+ * differences.  Returns the status of `exactly`. */
 int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context, double begin, double end,
                       double slope, double *x, double *taken, double *off);
 

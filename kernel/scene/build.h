@@ -1,4 +1,4 @@
-/* build.h - flat tables become a model: they are checked, and what follows from them alone is worked out. */
+/* build.h - flat tables become a model: they are checked, and what follows from them alone is computed. */
 #ifndef PM_BUILD_H
 #define PM_BUILD_H
 

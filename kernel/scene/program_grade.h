@@ -1,4 +1,4 @@
-/* program_grade.h - what kind of function each program is, once per scene: what the planner may skip follows. */
+/* program_grade.h - finds what kind of function each program is, once per scene. */
 #ifndef PM_PROGRAM_GRADE_H
 #define PM_PROGRAM_GRADE_H
 

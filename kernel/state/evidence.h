@@ -1,4 +1,4 @@
-/* evidence.h - what a pass of a case notes of its own errors and decisions: study/accuracy.h and study/margin.h read it.
+/* evidence.h - what a pass of a case notes of its own errors and decisions: study/accuracy.c and study/margin.c read it.
  *
  * A decision is what fired, touched, pulled, slid or held, with its distance from the threshold.  Two passes of a case that
  * differ by their errors only take the same decisions at slightly different distances: distance over difference is the

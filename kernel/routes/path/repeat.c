@@ -4,10 +4,10 @@
  * the same configuration but for a shift that the scene does not notice (symmetry.c), velocities in the same proportion -
  * then its path, its blow and its marks are the same, and its kinetic energies follow (repeat_energy.c).
  *
- * At every place velocities go by sqrt(T) and forces of contacts linearly by T (program_grade.c).  So what did not happen in
- * the segment that was computed and would not happen in the one after those to be passed over does not happen between; extremes
- * lie in these two (repeat_limit.c).  That one is looked at before anything is passed over (repeat_replay.c): where
- * something would happen in it, fewer are tried, and from the last sure one on segments are computed, one by one.  The least
+ * At every place velocities go by sqrt(T) and forces of contacts linearly by T (program_grade.c).  So an event that happens
+ * neither in the segment that was computed, nor in the one after those that are to be skipped, does not happen in between; and
+ * extremes lie in one of these two (repeat_limit.c).  The later one is checked before any is skipped (repeat_replay.c): if
+ * something would happen in it, fewer are tried, and after the last sure one segments are computed one by one.  The least
  * kinetic energy, that of the barrier on the way, is known of each.
  *
  * A path without blows that closes on itself is a segment as well: a lap.  From rest to rest at the same place it is a period

@@ -1,5 +1,5 @@
-/* repeat.h - what a path phase has shown once is used again: for the next period of a pattern, for the next lap of a closed
- * path. */
+/* repeat.h - segments of a path that repeat the one before - the next member of a pattern, the next lap, the next swing - are
+ * not computed again. */
 #ifndef PM_REPEAT_H
 #define PM_REPEAT_H
 
