@@ -29,12 +29,6 @@ FUNCTION = re.compile(
 TABLE = re.compile(r"^(?!static\b|typedef\b|extern\b)(?:const )?\w[\w ]*\b(pm_\w+)(?:\[[^\]]*\])*\s*=", re.M)
 # A whole function, static or not; a struct and its members.
 BODY = re.compile(r"^[A-Za-z_][^\n;#]*?\b(?P<name>\w+)\([^;{}]*\)\n\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
-# A small number, as one that decides what is nothing; a named number in a header of tolerances, and its text.
-SMALL = re.compile(r"(?<![\w.])[\d.]+[eE]-\d+")
-TOLERANCE = re.compile(r"^#define (PM_\w+)[ \\\n]+[^\s/]+[^/\n]*?(?:/\*(.*?)\*/)?$", re.MULTILINE)
-EFFECT = re.compile(r"\b(more|larger|longer|less|fewer|likewise|the same|as above)\b")
-# Coefficients of formulas, which decide nothing.
-FORMULAS = {"routes/rk/dop853"}
 STRUCT = re.compile(r"^(?:typedef )?struct (?P<name>\w+) \{(?P<members>.*?)^\}", re.MULTILINE | re.DOTALL)
 
 
@@ -105,17 +99,17 @@ def uses(kernel: Path) -> list[Use]:
         for m in INCLUDE.finditer(text):
             there = m[1].removesuffix(".h")
             if there in known and there != here:
-                found.append(Use(here, there, _line(text, m), f'"{m[1]}"'))
+                found.append(Use(here, there, line_of(text, m), f'"{m[1]}"'))
         if path.suffix == ".c":
             plain = STRING.sub('""', text)
             for m in NAME.finditer(plain):
                 for there in defined.get(m[0], ()):
                     if here not in defined[m[0]]:
-                        found.append(Use(here, there, _line(plain, m), m[0]))
+                        found.append(Use(here, there, line_of(plain, m), m[0]))
     return found
 
 
-def _line(text: str, m: re.Match[str]) -> int:
+def line_of(text: str, m: re.Match[str]) -> int:
     return text.count("\n", 0, m.start()) + 1
 
 
@@ -127,44 +121,6 @@ def homeless(kernel: Path, plan: House) -> list[str]:
         for path in files
         if plan.floor(unit(kernel, path)) is None and not path.name.startswith("planemotion")
     ]
-
-
-def named(readme: str) -> set[str]:
-    """The files that the table or list of a room's README names, without their endings."""
-    heads = re.findall(r"^(?:\| (`.*?`) \||- (`.*?`):)", readme, re.MULTILINE)
-    return {name.partition(".")[0] for head in heads for name in re.findall(r"`(.*?)`", "".join(head))}
-
-
-def bare_numbers(kernel: Path) -> list[str]:
-    """Small numbers that stand where they are used, and not in the headers of tolerances."""
-    return [
-        f"{unit(kernel, path)}: {m[0]} (line {_line(text, m)})"
-        for path, text in sources(kernel).items()
-        if not path.stem.startswith("tolerances") and unit(kernel, path) not in FORMULAS
-        for m in SMALL.finditer(text)
-    ]
-
-
-def silent_tolerances(kernel: Path) -> list[str]:
-    """Names of the headers of tolerances that do not say what another value would do."""
-    found = []
-    for path in sorted((kernel / "numerics").glob("tolerances*.h")):
-        for name, said in TOLERANCE.findall(path.read_text(encoding="utf-8")):
-            if not name.endswith("_H") and not EFFECT.search(said):
-                found.append(name)
-    return found
-
-
-def lost_files(kernel: Path) -> list[str]:
-    """Sources that comments name and that are not there; `name.c` stands for any."""
-    there = {path.name for path in kernel.rglob("*.[ch]")}
-    return sorted(
-        f"{unit(kernel, path)}: {name}"
-        for path in kernel.rglob("*.[ch]")
-        for comment in COMMENT.findall(path.read_text(encoding="utf-8"))
-        for name in re.findall(r"(?<![\w*])\w+\.[ch]\b", comment)
-        if name not in there and not name.endswith("_name.c")
-    )
 
 
 def strange_names(kernel: Path, plan: House) -> list[str]:
@@ -242,22 +198,6 @@ def test_every_file_stands_in_a_room() -> None:
     assert homeless(KERNEL, house()) == []
 
 
-def test_every_room_says_what_it_is() -> None:
-    for room in house().rooms:
-        said = (KERNEL / room / "README.md").read_text(encoding="utf-8")
-        assert len(re.findall(r"\.\s", said)) >= 3, room
-
-
-def test_a_room_names_all_its_files_and_no_other() -> None:
-    for room in house().rooms:
-        there = {path.stem for path in (KERNEL / room).glob("*.[ch]")}
-        assert named((KERNEL / room / "README.md").read_text(encoding="utf-8")) == there, room
-
-
-def test_comments_name_files_that_are_there() -> None:
-    assert lost_files(KERNEL) == []
-
-
 def test_functions_are_called_after_their_files() -> None:
     assert strange_names(KERNEL, house()) == []
 
@@ -284,20 +224,6 @@ def test_no_function_is_too_long() -> None:
 def test_no_struct_is_too_large() -> None:
     most = house().largest_struct
     assert {name: n for name, n in structs(KERNEL).items() if n > most} == {}
-
-
-def test_small_numbers_stand_in_the_headers_of_tolerances() -> None:
-    assert bare_numbers(KERNEL) == []
-
-
-def test_every_tolerance_says_what_another_value_would_do() -> None:
-    names = [
-        name
-        for path in sorted((KERNEL / "numerics").glob("tolerances*.h"))
-        for name in TOLERANCE.findall(path.read_text("utf-8"))
-    ]
-    assert len(names) > 400
-    assert silent_tolerances(KERNEL) == []
 
 
 # ---- the check itself -----------------------------------------------------------------------------------
@@ -332,7 +258,7 @@ def test_a_sound_kernel_has_no_faults(tmp_path: Path) -> None:
     ]
 
 
-def test_an_include_of_a_later_room_is_named_with_its_line(tmp_path: Path) -> None:
+def test_an_include_of_a_later_room_is_named_with_itsline_of(tmp_path: Path) -> None:
     kernel = built(tmp_path, low__stone_h='int pm_stone(void);\n#include "mid/left/wall.h"')
     assert upward(kernel, PLAN) == ['low/stone -> mid/left/wall: "mid/left/wall.h" (line 2)']
 
@@ -355,25 +281,6 @@ def test_a_file_without_a_room_is_found(tmp_path: Path) -> None:
     assert homeless(built(tmp_path, shed_c="", mid__door_h=""), PLAN) == ["mid/door.h", "shed.c"]
 
 
-def test_the_files_of_a_table_and_of_a_list_are_read() -> None:
-    assert named("Uses `sand`.\n| `stone`, `lime.h` | of `clay` |\n- `wall.c`: of `roof`\n") == {
-        "stone",
-        "lime",
-        "wall",
-    }
-
-
-def test_a_bare_number_and_a_silent_tolerance_are_found(tmp_path: Path) -> None:
-    kernel = built(
-        tmp_path,
-        low__stone_c="int pm_stone(double x)\n{\n    return x < 1.5e-9 * pm_size1e;\n}",
-        numerics__tolerances_h="#define PM_A 1e-9 /* m: none; larger: blind */\n"
-        "#define PM_B 2\n#define PM_C \\\n    3 /* m */\n",
-    )
-    assert bare_numbers(kernel) == ["low/stone: 1.5e-9 (line 3)"]
-    assert silent_tolerances(kernel) == ["PM_B", "PM_C"]
-
-
 def test_a_function_with_a_strange_name_is_found(tmp_path: Path) -> None:
     kernel = built(
         tmp_path,
@@ -383,11 +290,6 @@ def test_a_function_with_a_strange_name_is_found(tmp_path: Path) -> None:
         low__stone_h="typedef struct pm_block {\n    int a;\n} pm_block;\n",
     )
     assert strange_names(kernel, PLAN) == ["high/roof: pm_tile"]
-
-
-def test_a_file_that_is_gone_is_found(tmp_path: Path) -> None:
-    kernel = built(tmp_path, low__stone_c="/* See wall.h, clay.c. */\nint pm_stone(void) { return 1; }")
-    assert lost_files(kernel) == ["low/stone: clay.c"]
 
 
 def test_circles_are_found_in_one_room_and_through_several(tmp_path: Path) -> None:
