@@ -10,7 +10,10 @@
  * until one direction is left of it:  exp(L T) / |exp(L T)| -> u w^T,  L u = r u,  r the greatest real part of an
  * eigenvalue.  What a blow dv excites is then u (w^T dv): a swinging or decaying part of it has no share in the end,
  * however small the blow is.  Along u the energy and every momentum of the steady motion are kept, to first and to second
- * order. */
+ * order.
+ *
+ * The part of the blow would also follow from a full set of eigenvectors; but where a coordinate is cyclic L has none: its
+ * eigenvalue 0 is double and has one eigenvector.  Squaring needs no eigenvectors, and takes equal rates together. */
 #include "routes/start/fastest_growth.h"
 
 #include <math.h>
