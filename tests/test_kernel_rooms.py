@@ -29,6 +29,7 @@ FUNCTION = re.compile(
 TABLE = re.compile(r"^(?!static\b|typedef\b|extern\b)(?:const )?\w[\w ]*\b(pm_\w+)(?:\[[^\]]*\])*\s*=", re.M)
 # A whole function, static or not; a struct and its members.
 BODY = re.compile(r"^[A-Za-z_][^\n;#]*?\b(?P<name>\w+)\([^;{}]*\)\n\{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
+ONE_LINE = re.compile(r"^[A-Za-z_][^\n;#={}]*?\b(?P<name>\w+)\([^;{}]*\) ?\{[^\n]*\}$", re.MULTILINE)
 STRUCT = re.compile(r"^(?:typedef )?struct (?P<name>\w+) \{(?P<members>.*?)^\}", re.MULTILINE | re.DOTALL)
 
 
@@ -47,6 +48,8 @@ class House:
     rooms: tuple[str, ...]
     largest_circle: int
     longest_file: int
+    half_of_functions: int
+    most_functions: int
     longest_function: int
     largest_struct: int
     verbs: tuple[str, ...] = ()
@@ -167,11 +170,12 @@ def misplaced_circles(kernel: Path, plan: House) -> list[list[str]]:
 
 
 def functions(kernel: Path) -> dict[str, int]:
-    """The lines of each function, those of its head and braces included."""
+    """The lines of each function that are not blank, those of its head and braces included."""
     return {
-        f"{unit(kernel, path)}: {m['name']}": m[0].count("\n")
+        f"{unit(kernel, path)}: {m['name']}": sum(bool(line.strip()) for line in m[0].splitlines())
         for path, text in sources(kernel).items()
-        for m in BODY.finditer(text)
+        for pattern in (BODY, ONE_LINE)
+        for m in pattern.finditer(text)
     }
 
 
@@ -221,6 +225,13 @@ def test_no_function_is_too_long() -> None:
     assert {name: n for name, n in functions(KERNEL).items() if n > most} == {}
 
 
+def test_functions_are_short() -> None:
+    """Half of them, and nine of ten."""
+    lengths = sorted(functions(KERNEL).values())
+    assert lengths[len(lengths) // 2] <= house().half_of_functions
+    assert lengths[len(lengths) * 9 // 10] <= house().most_functions
+
+
 def test_no_struct_is_too_large() -> None:
     most = house().largest_struct
     assert {name: n for name, n in structs(KERNEL).items() if n > most} == {}
@@ -228,7 +239,7 @@ def test_no_struct_is_too_large() -> None:
 
 # ---- the check itself -----------------------------------------------------------------------------------
 
-PLAN = House(("low", "mid/left", "high"), 2, 400, 60, 40)
+PLAN = House(("low", "mid/left", "high"), 2, 400, 8, 20, 60, 40)
 SOUND = {
     "low/stone.h": "int pm_stone(void);",
     "low/stone.c": '#include "low/stone.h"\nint pm_stone(void) { return 1; }\nconst int pm_hue[2] = {1, 2};',
@@ -308,7 +319,8 @@ def test_lines_of_functions_and_members_of_structs_are_counted(tmp_path: Path) -
     kernel = built(
         tmp_path,
         low__stone_h=stone + "    int (*cut)(int, int);\n} pm_stone;",
-        low__stone_c=cut + "    return a;\n}\n",
+        low__stone_c=cut + "\n    return a;\n}\nint pm_one(int a) { return a; }\n",
     )
     assert structs(kernel) == {"pm_stone": 4}
     assert functions(kernel)["low/stone: cut"] == 8
+    assert functions(kernel)["low/stone: pm_one"] == 1

@@ -36,6 +36,8 @@ class House:
     largest_circle: int
     longest_file: int
     longer_files: dict[str, int]
+    half_of_functions: int
+    most_functions: int
     longest_function: int
 
     @property
@@ -192,13 +194,20 @@ def test_no_file_is_too_long() -> None:
     assert long_files(WRAPPER / PACKAGE, house()) == {}
 
 
+def test_functions_are_short() -> None:
+    """Half of them, and nine of ten."""
+    lengths = sorted(functions(WRAPPER / PACKAGE).values())
+    assert lengths[len(lengths) // 2] <= house().half_of_functions
+    assert lengths[len(lengths) * 9 // 10] <= house().most_functions
+
+
 def test_no_function_is_too_long() -> None:
     assert long_functions(WRAPPER / PACKAGE, house()) == {}
 
 
 # ---- the check itself -----------------------------------------------------------------------------------
 
-PLAN = House((["_made"], "low", "high", ["__init__", "cli"]), 2, 5, {}, 2)
+PLAN = House((["_made"], "low", "high", ["__init__", "cli"]), 2, 5, {}, 2, 2, 2)
 SOUND = {
     "__init__.py": "from .cli import main",
     "cli.py": "from .high import wall\nimport house.low.stone",

@@ -174,7 +174,7 @@ static int phase(pm_workspace *w, int *ended)
     pm_perturbation_end(&w->request);
     if ((status = pm_phase_report_add(w))) return status;
     if ((status = pm_advance(w, ended)) || !*ended) return status;
-    /* the end came inside a step: what is asked there may need accelerations, and it may be a singular place */
+    /* the end is inside a step: answers there may need accelerations, which a singular position does not give */
     pm_frame_look_state(&w->frame, &w->state);
     return pm_saddle_accelerate(w);
 }

@@ -183,7 +183,7 @@ static int find_coarse(pm_workspace *w, const double *param)
         return 1;
     }
     make_pass(w, param, e->other, e->main->factor, 1);
-    /* a singular place bears no disturbance */
+    /* at a singular position a disturbed state may leave its branch */
     w->evidence.calm =
         (e->other->status < PM_OK || e->other->status == PM_ENDS_SINGULAR) && w->patience.over == 0;
     if (w->evidence.calm) make_pass(w, param, e->other, e->main->factor, 1);
