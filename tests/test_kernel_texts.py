@@ -1,4 +1,4 @@
-"""What the kernel says of itself: rooms name their files, comments files that exist, tolerances their effect."""
+"""What the kernel says of itself: rooms name their files, comments files that exist, numbers their effect."""
 
 from __future__ import annotations
 
