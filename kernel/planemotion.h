@@ -21,19 +21,19 @@ enum pm_status {
     PM_LIMIT_STEPS = 3,   /* max_steps reached */
     PM_CANCELLED = 4,     /* the stop flag was raised */
     PM_STAYS_AT_REST = 5, /* nothing moves any more and the end was not reached */
-    PM_FIND_SEVERAL =
-        6, /* the first of several is the answer: where = condition; detail = the next, how many */
-    PM_FIND_AT_BOUND =
-        7,            /* what is sought lies at a bound of the interval, or where runs begin to fail: where =
-                             varied parameter; detail = its value */
+    /* the first of several is the answer: where = condition; detail = the next, how many */
+    PM_FIND_SEVERAL = 6,
+    /* what is sought lies at a bound of the interval, or where runs begin to fail: where = varied
+     * parameter; detail = its value */
+    PM_FIND_AT_BOUND = 7,
     PM_UNDECIDED = 8, /* the run came to its end, but its errors might have changed a decision on the way */
-    PM_ENDS_SINGULAR =
-        9, /* on the way a position was reached where nothing determines how it goes on: where = joint */
-    PM_NO_TIME_ROUTE =
-        10, /* a route in time was asked for and no time passes; all answers stand: where = setting */
-    PM_NOT_UNIQUE =
-        11, /* laws of contact allow several motions: where = contact that tells them apart; detail =
-                           its coefficient of friction, contacts that take part; or where = trigger whose load is not unique */
+    /* on the way a position was reached where nothing determines how it goes on: where = joint */
+    PM_ENDS_SINGULAR = 9,
+    /* a route in time was asked for and no time passes; all answers stand: where = setting */
+    PM_NO_TIME_ROUTE = 10,
+    /* laws of contact allow several motions: where = contact that tells them apart; detail = its
+     * coefficient of friction, contacts that take part; or where = trigger whose load is not unique */
+    PM_NOT_UNIQUE = 11,
     PM_PAINLEVE = 12,         /* no motion obeys the laws of contact without a blow: where, detail likewise */
     PM_ROUGH_IMPOSSIBLE = 13, /* the same where a contact that may not slip takes part */
     PM_LIMIT_CPU = 14,        /* max_cpu reached: detail = the limit */
@@ -44,9 +44,9 @@ enum pm_status {
                                  PM_TABLE_PIECEWISE; detail = argument, the end */
     PM_DRIVE_JUMPS = 18, /* a place that is prescribed jumps: where = joint; detail = by how much, m or rad */
     PM_CURVE_ENDS = 19,  /* what runs along a curve comes to its end: where = joint; detail = t */
-    PM_BOUNCES_ON =
-        20, /* all is at rest but for bounces too low to be computed, which do not come to an end that is
-                            known: where = contact; detail = the last flight, the one before, s */
+    /* all is at rest but for bounces too low to be computed, which do not come to an end that is known:
+     * where = contact; detail = the last flight, the one before, s */
+    PM_BOUNCES_ON = 20,
     PM_BAD_TABLE = -1, /* the tables contradict this header: where = table, row */
     PM_NO_MEMORY = -2,
     PM_BAD_VALUE = -3,      /* not finite or out of its bound: where = table, row; detail = value, bound */
@@ -63,16 +63,16 @@ enum pm_status {
     PM_CONTACT_SLOTS = -14, /* more members of one pattern are closed at once than the kernel keeps */
     PM_FIND_NONE = -15,     /* nothing found: where = condition or find; detail = what it is at both bounds */
     PM_FIND_JUMP = -16, /* the condition jumps over zero: where = condition; detail = value on both sides */
-    PM_BLOWS_ENDLESS =
-        -17, /* blows one by one at one instant do not end, or one that stiffnesses share: where = contact; detail = how
-                many; how much stiffer it is than another */
-    PM_BLOW_SEVERAL =
-        -19, /* a restitution along a contact goes with newton alone in its blow: where = contact; detail = how
-                many take part */
-    PM_NO_IMPULSE =
-        -20, /* no impulse does that work: where = action; detail = work, the least that is possible */
-    PM_NUDGE_UNSTEADY =
-        -22, /* where it acts there is neither rest nor a steady motion: where = action, or setting */
+    /* blows one by one at one instant do not end, or one that stiffnesses share: where = contact; detail =
+     * how many; how much stiffer it is than another */
+    PM_BLOWS_ENDLESS = -17,
+    /* a restitution along a contact goes with newton alone in its blow: where = contact; detail = how many
+     * take part */
+    PM_BLOW_SEVERAL = -19,
+    /* no impulse does that work: where = action; detail = work, the least that is possible */
+    PM_NO_IMPULSE = -20,
+    /* where it acts there is neither rest nor a steady motion: where = action, or setting */
+    PM_NUDGE_UNSTEADY = -22,
     PM_NUDGE_STABLE =
         -23 /* nothing that it could begin grows: where likewise; detail = rate of what grows otherwise, 1/s */
 };
@@ -87,8 +87,8 @@ enum pm_ask_kind {
     PM_ASK_AT_MIN = 5,
     PM_ASK_GRID = 6, /* program where program_2 first equals each of `count` values from first_value on */
     PM_ASK_EACH = 7, /* program at each firing of an event, up to `count` of them */
-    PM_ASK_INTEGRAL =
-        8,           /* of program by the time; program_2: a condition, program is 0 where it does not hold */
+    /* of program by the time; program_2: a condition, program is 0 where it does not hold */
+    PM_ASK_INTEGRAL = 8,
     PM_ASK_MEAN = 9, /* the integral over the time in which the condition holds: over all time without one */
     PM_ASK_RMS = 10, /* root of the mean of the square of program, likewise */
     PM_ASK_KINDS = 11
@@ -153,8 +153,8 @@ enum pm_setting_column {
     PM_SETTING_SIMULTANEOUS = 10, /* enum pm_simultaneous */
     PM_SETTING_MAX_CPU = 11, /* value index, s of computing time of a case with all its passes; or PM_NONE */
     PM_SETTING_SHARED = 12,  /* enum pm_shared_setting */
-    PM_SETTING_EXPONENT =
-        13, /* value index, 1 .. 10: n of contacts with stiffnesses, see PM_CONTACT_STIFFNESS */
+    /* value index, 1 .. 10: n of contacts with stiffnesses, see PM_CONTACT_STIFFNESS */
+    PM_SETTING_EXPONENT = 13,
     PM_SETTING_COLUMNS = 14
 };
 
@@ -200,10 +200,10 @@ enum pm_found_column {
 enum pm_audit { PM_AUDIT_ENERGY = 0, PM_AUDIT_MOMENTUM = 1, PM_AUDIT_CONSTRAINT = 2, PM_AUDITS = 3 };
 /* How far a case can be trusted; not a number where nothing was estimated. */
 enum pm_trust {
-    PM_TRUST_MARGIN =
-        0, /* least distance of a decision from its threshold over its error; infinite: none was taken */
-    PM_TRUST_EXCESS =
-        1, /* greatest error of an answer over what the accuracy asked allows; 1 or less: kept */
+    /* least distance of a decision from its threshold over its error; infinite: none was taken */
+    PM_TRUST_MARGIN = 0,
+    /* greatest error of an answer over what the accuracy asked allows; 1 or less: kept */
+    PM_TRUST_EXCESS = 1,
     PM_TRUSTS = 2
 };
 /* Where a case failed: table and row (PM_NONE if nowhere in particular) and numbers that belong to the message.  Of a case
@@ -213,8 +213,8 @@ enum pm_detail_column { PM_DETAIL_VALUE = 0, PM_DETAIL_BOUND = 1, PM_DETAIL_TIME
 /* Of a case that is PM_UNDECIDED: table and row are those of the event, contact or joint that its least margin belongs to, the
  * member tells what was decided there; detail = margin, 1 and the time of the decision, s. */
 enum pm_decision {
-    PM_DECISION_OUTCOME =
-        0, /* passes that differ by their errors only have other counts or statuses; no place is known */
+    /* passes that differ by their errors only have other counts or statuses; no place is known */
+    PM_DECISION_OUTCOME = 0,
     PM_DECISION_HAPPENS = 1,  /* whether it is reached */
     PM_DECISION_REVERSES = 2, /* whether what is reached is passed, or turns back there */
     PM_DECISION_ORDER = 3,    /* whether a blow comes before a time of the scene */
@@ -236,19 +236,19 @@ enum pm_count_column {
     PM_COUNT_STEPS = 3,
     PM_COUNT_SOLVES = 4, /* saddle-point solutions */
     PM_COUNT_ROUTE = 5,  /* enum pm_route that ran: the costliest, if phases took several */
-    PM_COUNT_RUNS =
-        6, /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
+    /* whole runs of the case: more than 1 in a find, whose last one the other counts are of */
+    PM_COUNT_RUNS = 6,
     PM_COUNT_FOUND = 7, /* brackets of a find in which something was found; changes of an outcome */
-    PM_COUNT_PASSES =
-        8, /* of the case, the others for its errors; all other counts are of the one that answers */
+    /* of the case, the others for its errors; all other counts are of the one that answers */
+    PM_COUNT_PASSES = 8,
     PM_COUNT_ROUTES = 9,             /* sum of 2^route over all that ran */
     PM_COUNT_REPEATED_SEGMENTS = 10, /* that repeat one that was computed, and were passed over */
-    PM_COUNT_LIMITED_BLOWS =
-        11, /* whose restitution was lowered: with friction it would have gained energy */
-    PM_COUNT_SHARED_BLOWS =
-        12, /* of several contacts, followed: how these share each is what their common pace says */
-    PM_COUNT_ORDERED_BLOWS =
-        13, /* of several contacts, which one by one would leave another motion; PM_SIMULTANEOUS_OPEN alone */
+    /* whose restitution was lowered: with friction it would have gained energy */
+    PM_COUNT_LIMITED_BLOWS = 11,
+    /* of several contacts, followed: how these share each is what their common pace says */
+    PM_COUNT_SHARED_BLOWS = 12,
+    /* of several contacts, which one by one would leave another motion; PM_SIMULTANEOUS_OPEN alone */
+    PM_COUNT_ORDERED_BLOWS = 13,
     PM_COUNT_STIFF_PHASES = 14, /* in which stability made the steps of rk short, not accuracy */
     PM_COUNT_COLUMNS = 15
 };
@@ -305,8 +305,8 @@ enum pm_phase_column {
     PM_PHASE_ROUTE = 0,
     PM_PHASE_RULE = 1,     /* of the planner, for pm_rule_text */
     PM_PHASE_UNKNOWNS = 2, /* coordinates that the route integrates or follows */
-    PM_PHASE_LOOPS =
-        3, /* constraints of joints and contacts between them; all others these coordinates meet by themselves */
+    /* constraints of joints and contacts between them; all others these coordinates meet by themselves */
+    PM_PHASE_LOOPS = 3,
     PM_PHASE_CONSTRAINTS = 4, /* constraints of joints and closed contacts, redundant ones not counted */
     PM_PHASE_REDUNDANT = 5,
     PM_PHASE_FREEDOM = 6,
@@ -317,8 +317,8 @@ enum pm_phase_column {
     PM_PHASE_REPEATED_SEGMENTS = 11, /* segments passed over before it */
     PM_PHASE_OUT_OF_REACH = 12,      /* contacts that can never close (gap_bounds.h) */
     PM_PHASE_FIXED = 13,             /* fixed bodies (fixed_bodies.h) */
-    PM_PHASE_SKIPPED =
-        14, /* gaps that were not looked at in its steps, out of reach of them (gap_culling.h) */
+    /* gaps that were not looked at in its steps, out of reach of them (gap_culling.h) */
+    PM_PHASE_SKIPPED = 14,
     PM_PHASE_COLUMNS = 15
 };
 /* Runs one case as pm_trace does and reports its phases: phase[cap][PM_PHASE_COLUMNS], time[cap] of their begins, s (not a

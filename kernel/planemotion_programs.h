@@ -42,8 +42,8 @@ enum pm_op {
     PM_OP_FLOOR = 32,
     PM_OP_SELECT = 33, /* c a b -> a if c != 0, else b */
     PM_OP_ATAN = 34,
-    PM_OP_ANSWER =
-        35, /* push out[arg], answered before (only in programs of asks at the end, and of a find) */
+    /* push out[arg], answered before (only in programs of asks at the end, and of a find) */
+    PM_OP_ANSWER = 35,
     PM_OP_TANH = 36,
     PM_OP_PIECEWISE = 37, /* x -> piecewise polynomial arg at x */
     PM_OP_PIECE = 38,     /* x n -> its piece n at x, and beyond the ends of that piece */

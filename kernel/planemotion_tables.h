@@ -59,8 +59,8 @@ enum pm_joint_kind {
     PM_JOINT_GEARS = 7, /* a, b circles mesh; value = side; axles or a carrier hold their distance.  1 */
     PM_JOINT_BELT = 8,  /* a tight belt round circles a, b; value = 1 open, -1 crossed.     2 */
     PM_JOINT_RATE = 9,  /* a, b bodies: the spin of a relative to b is program_x.           1  */
-    PM_JOINT_DRIVE =
-        10, /* a, b points: the velocity of a from b is (program_x, program_y), scene's axes.  2 */
+    /* a, b points: the velocity of a from b is (program_x, program_y), scene's axes. 2 */
+    PM_JOINT_DRIVE = 10,
     PM_JOINT_RATIO = 11,     /* a, b bodies: angle(a) - value angle(b) stays; the ground holds the rest.  1 */
     PM_JOINT_PLACED = 12,    /* a, b points: a from b is (program_x, program_y) in the scene's axes.  2 */
     PM_JOINT_ANGLE = 13,     /* a, b bodies: angle(a) - angle(b) = program_x.  1 */
@@ -87,12 +87,12 @@ enum pm_contact_kind {
     PM_CONTACT_LINE = 0,    /* circle a (radius 0: a point) against line b */
     PM_CONTACT_CIRCLE = 1,  /* circle a against circle b; side value as for rolling; not both radii 0 */
     PM_CONTACT_PATTERN = 2, /* circle a (radius > 0) against the members of pattern b */
-    PM_CONTACT_CORD =
-        3, /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its
-                            slack; it is wound on the circles and does not slip there */
+    /* a straight strand from circle a (radius 0: a point) to circle b: pulls only, the gap is its slack;
+     * it is wound on the circles and does not slip there */
+    PM_CONTACT_CORD = 3,
     PM_CONTACT_POINT = 4, /* circles a, b of radius 0: points that meet from wherever; it must capture */
-    PM_CONTACT_SEGMENT =
-        5, /* circle a against line b between two places of it, and its ends; see the columns */
+    /* circle a against line b between two places of it, and its ends; see the columns */
+    PM_CONTACT_SEGMENT = 5,
     PM_CONTACT_KINDS = 6
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
@@ -116,24 +116,24 @@ enum pm_contact_column {
     PM_CONTACT_FRICTION = 5,    /* enum pm_friction */
     PM_CONTACT_STATIC = 6,      /* value index of the static coefficient, PM_NONE unless Coulomb */
     PM_CONTACT_KINETIC = 7,     /* value index of the kinetic coefficient, PM_NONE unless Coulomb */
-    PM_CONTACT_SPEED =
-        8, /* program of the time alone: speed of the surface of b along its line (as a line: towards its
-                               angle); or PM_NONE */
+    /* program of the time alone: speed of the surface of b along its line (as a line: towards its angle);
+     * or PM_NONE */
+    PM_CONTACT_SPEED = 8,
     PM_CONTACT_SLACK = 9, /* cord: value index, slack at the start, >= 0; or PM_NONE */
-    PM_CONTACT_SENSE_A =
-        10, /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
+    /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
+    PM_CONTACT_SENSE_A = 10,
     PM_CONTACT_SENSE_B = 11,
     PM_CONTACT_CAPTURE = 12, /* enum pm_capture; smooth, with no surface speed */
-    PM_CONTACT_TANGENTIAL =
-        13,              /* value index, 0..1: restitution of the slip where it can be held; or PM_NONE */
+    /* value index, 0..1: restitution of the slip where it can be held; or PM_NONE */
+    PM_CONTACT_TANGENTIAL = 13,
     PM_CONTACT_LAW = 14, /* enum pm_law */
-    PM_CONTACT_FROM =
-        15, /* segment: value indices, places on the line from its point, from < to; or PM_NONE */
+    /* segment: value indices, places on the line from its point, from < to; or PM_NONE */
+    PM_CONTACT_FROM = 15,
     PM_CONTACT_TO = 16,
     PM_CONTACT_PAINLEVE = 17, /* enum pm_painleve */
-    PM_CONTACT_STIFFNESS =
-        18, /* value index, > 0: k of N = k x^n beside those of other contacts, n = PM_SETTING_EXPONENT; smooth, of
-               Stronge's law; or PM_NONE */
+    /* value index, > 0: k of N = k x^n beside those of other contacts, n = PM_SETTING_EXPONENT; smooth, of
+     * Stronge's law; or PM_NONE */
+    PM_CONTACT_STIFFNESS = 18,
     PM_CONTACT_COLUMNS = 19
 };
 
@@ -145,9 +145,9 @@ enum pm_force_kind {
     PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
     PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (ground: scene) */
     PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */
-    PM_FORCE_FRICTION =
-        6, /* dry friction of joint a (= b): a pin, a slider, or a link as a slot; a couple or a force up to
-                                   value_1 + value_2 * its reaction */
+    /* dry friction of joint a (= b): a pin, a slider, or a link as a slot; a couple or a force up to
+     * value_1 + value_2 * its reaction */
+    PM_FORCE_FRICTION = 6,
     PM_FORCE_LINE = 7, /* points a, b: program_x draws them together along their connection */
     PM_FORCE_KINDS = 8
 };
@@ -217,9 +217,9 @@ enum pm_measure_kind {
     PM_MEASURE_SPIN_MOMENTUM = 44,
     PM_MEASURE_SPIN_INERTIA = 45, /* of all that turns along, about the axis */
     PM_MEASURE_FORCE_RATE = 46,   /* d/dt of its stretch */
-    PM_MEASURE_EVENT_SIDE =
-        47, /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0;
-               of PM_EFFECT_PIECE: the piece in which its argument lies */
+    /* of PM_EFFECT_SWITCH: 1 from where its program became > 0, 0 from where it became < 0; of
+     * PM_EFFECT_PIECE: the piece in which its argument lies */
+    PM_MEASURE_EVENT_SIDE = 47,
     PM_MEASURE_JOINT_POWER = 48, /* of what drives the joint: its reactions times the rates prescribed */
     PM_MEASURE_PLACE = 49,       /* s of a curve: in its programs alone */
     PM_MEASURE_MODE_OMEGA = 50, /* of small motion: mode number `member`, from 1; in asks at instants alone */
@@ -305,8 +305,8 @@ enum pm_event_effect {
     PM_EFFECT_NONE = 0,   /* on what acts on the bodies, but by actions of the event */
     PM_EFFECT_COUNT = 1,  /* programs of forces read its count or time: a phase ends, another begins */
     PM_EFFECT_SWITCH = 2, /* programs of forces read its side: two triggers, rise and fall of one program */
-    PM_EFFECT_PIECE =
-        3, /* programs read a table along the motion (PM_TABLE_READING): its triggers are the ends of a piece */
+    /* programs read a table along the motion (PM_TABLE_READING): its triggers are the ends of a piece */
+    PM_EFFECT_PIECE = 3,
     PM_EFFECTS = 4
 };
 /* What an event does when it fires: its rows, in order.  What is added holds from then on, what is removed no longer;
@@ -316,10 +316,10 @@ enum pm_action_kind {
     PM_ACTION_REMOVE = 1,  /* the same; without an event: it does not hold from the start on */
     PM_ACTION_IMPULSE = 2, /* at point a: program_x, program_y, in the scene's axes */
     PM_ACTION_ANGULAR = 3, /* on body a: program_x */
-    PM_ACTION_WORK =
-        4, /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
-    PM_ACTION_NUDGE =
-        5, /* an unstable rest or steady motion is left to the side where program_x becomes > 0 */
+    /* the angular impulse on body a that does the work program_x and keeps the sense of rotation */
+    PM_ACTION_WORK = 4,
+    /* an unstable rest or steady motion is left to the side where program_x becomes > 0 */
+    PM_ACTION_NUDGE = 5,
     PM_ACTION_KINDS = 6
 };
 enum pm_action_column {

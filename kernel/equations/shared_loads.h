@@ -33,10 +33,9 @@ typedef struct pm_shared {
     double *own;          /* [n]; the largest entry of each z is 1 */
     int *group;           /* [n] the first of its group */
     double *slack;        /* [n] of a group, at its first: N; infinite where no contact takes part */
-    int *
-        bounded; /* [n] of a group: its contacts bound the slack; 0: it is as large as the forces of the scene */
-    int *slot_group; /* [nslot] group of a contact, or PM_NONE */
-    int *bound;      /* [nslot] enum pm_shared_bound, flags */
+    int *bounded;         /* [n] of a group: its contacts bound the slack; 0: the forces of the scene do */
+    int *slot_group;      /* [nslot] group of a contact, or PM_NONE */
+    int *bound;           /* [nslot] enum pm_shared_bound, flags */
     /* scratch */
     double *force, *response, *rhs; /* [nq], [nq], [nconstraint] */
     double *kept;                   /* [njoint_constraint + 2 nslot] at least, and [nconstraint] */

@@ -49,10 +49,9 @@ typedef struct pm_event_function {
     double left;    /* its last sample beyond rounding, in a step before; 0: there is none */
     double rested;  /* of a trigger: its greatest size in the last step before the phase */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
-    double
-        slack; /* a held function counts as crossed only below -slack; of a held trigger: no more is zero */
-    double natural;    /* its natural size; of a trigger 1 */
-    double near;       /* least value where it came close and went back, since the last instant */
+    double slack;   /* of a held function: crossed only below -slack; of a held trigger: no more is zero */
+    double natural; /* its natural size; of a trigger 1 */
+    double near;    /* least value where it came close and went back, since the last instant */
     double near_reach; /* its value on both sides of there */
     double low, high;  /* `every`: the multiples below and above */
     int pattern;       /* of a gap to a pattern: its place among these, else PM_NONE */

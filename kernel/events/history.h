@@ -9,13 +9,12 @@
 typedef struct pm_history {
     int64_t nprogram, cap, needed;
     const int32_t *program;
-    const double
-        *bend;    /* [nprogram] what a straight line between two rows may miss, in the unit of the program */
-    double every; /* distance of the times of the grid, s; 0: no grid */
-    int64_t next; /* the next time of the grid is next * every */
-    double *history;              /* [cap][1 + nprogram] */
-    int32_t *mark;                /* [cap] */
-    double *row;                  /* [PM_HISTORY_PARTINGS + 2][1 + nprogram] not yet recorded */
+    const double *bend; /* [nprogram] what a chord between two rows may miss, in the unit of the program */
+    double every;       /* distance of the times of the grid, s; 0: no grid */
+    int64_t next;       /* the next time of the grid is next * every */
+    double *history;    /* [cap][1 + nprogram] */
+    int32_t *mark;      /* [cap] */
+    double *row;        /* [PM_HISTORY_PARTINGS + 2][1 + nprogram] not yet recorded */
     double begin, length, inside; /* of the present step, in full; records are there up to this place */
 } pm_history;
 

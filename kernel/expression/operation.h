@@ -13,8 +13,8 @@
 /* What is known of an operation besides its value. */
 enum pm_operation_trait {
     PM_OPERATION_JUMPS = 1, /* a comparison: jumps where its operands become equal */
-    PM_OPERATION_CORNERS =
-        2, /* smooth but where its operand, or the difference of its operands, changes sign */
+    /* smooth but where its operand, or the difference of its operands, changes sign */
+    PM_OPERATION_CORNERS = 2,
     PM_OPERATION_COUNTS = 4, /* gives an integer, or a yes or no */
     PM_OPERATION_RISES = 8   /* a rising function of its operand */
 };

@@ -55,8 +55,7 @@ typedef struct pm_contact_course {
     double *reaction;                   /* [2m][2n + m] of the joints */
     double *velocity;                   /* [2n + m] before; what was found: after */
     double no_slip;                     /* m/s: slower than this is no slip */
-    double
-        exponent; /* of all contacts, smooth and with stiffnesses: contact_springs.h says how they share; or 0: the pace */
+    double exponent; /* of all contacts with stiffnesses (contact_springs.h); 0: all go at one pace */
     /* what was found */
     double *impulse; /* [2n + m] */
     int limited;     /* it would have gained energy: mixed with the blow without restitution */

@@ -81,15 +81,12 @@
 /* natural sizes */
 #define PM_SHIFT 1e-6 /* of a state's own size: shows the size of what is read there; larger: not linear */
 /* which constraints depend on each other */
-#define PM_INDEPENDENT \
-    1e-9 /* part of a constraint that others leave, of it: it counts; larger: holds too little */
+#define PM_INDEPENDENT 1e-9 /* part of a constraint that others leave, of it: it counts; larger: holds too little */
 #define PM_CLEARLY_INDEPENDENT 1e-3 /* the same, above which nothing else is asked; larger: slower */
 #define PM_NEIGHBOUR 1e-3 /* of the scene's size: how far a dead centre is left; larger: another place */
 #define PM_DEPENDENT_NEARBY 1e-6 /* part left at the neighbour: redundant below; larger: drops what holds */
-#define PM_TAKEN_OFF_ENOUGH \
-    0.5 /* of the square of a row of G: if that stays, rounding has not grown; larger: slower */
-#define PM_BLOCK_OF_ROWS \
-    24 /* constraints solved as one block; fewer are as quick one by one, and told sharply */
+#define PM_TAKEN_OFF_ENOUGH 0.5 /* of the square of a row of G: if that stays, rounding has not grown; larger: slower */
+#define PM_BLOCK_OF_ROWS 24 /* constraints solved as one block; fewer are as quick one by one, and told sharply */
 #define PM_BLOCK_PASSES 2 /* with the factors of a block: the second takes off the rounding of the first; more gain nothing */
 #define PM_SHARED_MOST 24 /* redundant constraints of one group that are treated; more: slower, and larger scratch */
 #define PM_SHARED_NOTHING 1e-9 /* of the largest load of a balance: none; larger: constraints are left out of their group */
@@ -101,8 +98,7 @@
 #define PM_PROJECTION_SWEEPS 8 /* Newton steps back onto constraints: four do, but for rounding far off; more would only put off the end */
 #define PM_PROJECTION_NEAR 1e-6 /* of the size: what polynomials of the time miss constraints by is drift; larger: bodies are put elsewhere */
 #define PM_FRICTION_ROUNDS 400 /* of friction and reactions: more, and the joint jams */
-#define PM_STAND_IN \
-    1e-3 /* of the least mass, for what has none: each round gains as many digits; larger: fewer */
+#define PM_STAND_IN 1e-3 /* of the least mass, for what has none: each round gains as many digits; larger: fewer */
 #define PM_STAND_IN_ROUNDS 60    /* three digits each, unless there is too little mass elsewhere; more would only put off the failure */
 #define PM_LIGHT 1e-4 /* of the greatest mass, or that times the scene's size squared: less is next to no inertia; larger: slower */
 #define PM_LIGHT_METRIC 1e-8 /* likewise: no less where rows are compared; larger: starts move light bodies less */
@@ -111,12 +107,10 @@
 #define PM_ORDERED_AS_WRITTEN 10 /* bodies: up to here another order of the joints gains nothing; more: long chains fill in */
 /* starts */
 #define PM_ASSEMBLY_SWEEPS 60 /* Gauss-Newton steps; more would wander */
-#define PM_ASSEMBLY_LONGEST \
-    0.3 /* of the scene's size: longest step of the assembly; larger: jumps to other branches */
+#define PM_ASSEMBLY_LONGEST 0.3 /* of the scene's size: longest step of the assembly; larger: jumps to other branches */
 #define PM_ASSEMBLED 4e-16 /* of the scene's size: nothing is open; larger: starts less exact */
 #define PM_MESHES 1e-3     /* of their distance: gears open by less mesh, drawn by rounded numbers */
-#define PM_START_AGREES \
-    1e-9 /* relative: start velocities that differ by less agree; larger: hides contradictions */
+#define PM_START_AGREES 1e-9 /* relative: start velocities that differ by less agree; larger: hides contradictions */
 #define PM_START_OPEN_PART 1e-6 /* of a unit velocity: left open; larger: hides open motions */
 /* sizes and bounds */
 #define PM_ACCURACY_LEAST 1e-14 /* relative, of solve.accuracy: rounding leaves no better; less: runs in vain */
@@ -124,30 +118,21 @@
 #define PM_MOST_MEMBERS 1e9 /* of a pattern: int32 numbers them; more would not be distinguished */
 #define PM_FASTER 1.1       /* growth of the speed scale that is worth new weights; larger: coarser weights */
 #define PM_FIXED_SET 6 /* bodies that are tried together, whether joints fix them; more: slower, and larger scratch */
-#define PM_OUT_OF_REACH \
-    1e-6 /* of the scene's reach: gaps above stay open whatever the drift; larger: skips fewer */
+#define PM_OUT_OF_REACH 1e-6 /* of the scene's reach: gaps above stay open whatever the drift; larger: skips fewer */
 /* energy and ledgers */
-#define PM_LEVEL_SHARE \
-    0.1 /* of the greatest kinetic energy: below it velocities say too little of the energy; larger: the energy is kept less often */
+#define PM_LEVEL_SHARE 0.1 /* of the greatest kinetic energy: below it velocities say too little of the energy; larger: the energy is kept less often */
 #define PM_LEVEL_MOST 0.01 /* of the kinetic energy: what misses more is no drift; larger: hides faults */
 #define PM_LEVEL_ROUNDING 2e-15 /* of the terms of the energy: below it nothing is known to be wrong; larger: drift stays */
 #define PM_LEDGER_PLACE 5e-16   /* of the distance from the origin: rounding of a position, at each event; larger: blind far from the origin */
-#define PM_LEDGER_SPIN \
-    1e-14 /* of the energy of a spin, which may be far above that of the motion in its plane; larger: blind to the motion in the plane */
-#define PM_LEDGER_SLOWEST \
-    1e-3 /* of the scene's speed: slower motion is no scale of its own; larger: blind to it */
-#define PM_LEDGER_ROUNDING \
-    1e-7 /* relative residual: long runs gather rounding; larger: blind at tight accuracy */
-#define PM_LEDGER_ERRORS \
-    2e3 /* of the tolerance: a thousand blows leave 475 (studies, 1e-2 .. 1e-12); larger: blind */
-#define PM_LEDGER_BLIND \
-    1e-3 /* relative: what rounding alone may leave of a ledger; larger: an audit that sees nothing passes */
-#define PM_LEDGER_MOST \
-    0.05 /* of all energy or momentum: no answer stands with more; larger: blind when loose */
+#define PM_LEDGER_SPIN 1e-14 /* of the energy of a spin, which may be far above that of the motion in its plane; larger: blind to the motion in the plane */
+#define PM_LEDGER_SLOWEST 1e-3 /* of the scene's speed: slower motion is no scale of its own; larger: blind to it */
+#define PM_LEDGER_ROUNDING 1e-7 /* relative residual: long runs gather rounding; larger: blind at tight accuracy */
+#define PM_LEDGER_ERRORS 2e3 /* of the tolerance: a thousand blows leave 475 (studies, 1e-2 .. 1e-12); larger: blind */
+#define PM_LEDGER_BLIND 1e-3 /* relative: what rounding alone may leave of a ledger; larger: an audit that sees nothing passes */
+#define PM_LEDGER_MOST 0.05 /* of all energy or momentum: no answer stands with more; larger: blind when loose */
 
 /* ---- tree ---- */
-#define PM_FACTORS_STAY \
-    1e-8 /* of size or speed: a correction this small keeps the factors; larger: a sweep more */
+#define PM_FACTORS_STAY 1e-8 /* of size or speed: a correction this small keeps the factors; larger: a sweep more */
 #define PM_MODE_NOTHING 1e-11 /* of the fastest mode, squared frequencies and rates of growth: what differences cannot tell from zero; larger: soft modes are lost */
 #define PM_MODE_SAME 1e-8 /* of a frequency: two that are the same; larger: the order of modes is that of their damping */
 #define PM_MODE_CONFIRMED 1e-6 /* of the fastest mode: two lengths of differences agree; larger: modes where the scene is not smooth */
@@ -155,14 +140,12 @@
 #define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square; more: slower */
 #define PM_LOOP_SWEEPS 20 /* Newton steps of the dependent coordinates; more, and a shorter step is better */
 #define PM_LOOP_FINEST 4e-16 /* of size and speed: near a singular position what is left is amplified; larger: less exact there */
-#define PM_LOOP_STALLED \
-    1e-12                 /* of the scene's size: met, as far as far-off coordinates allow; larger: drift */
+#define PM_LOOP_STALLED 1e-12                 /* of the scene's size: met, as far as far-off coordinates allow; larger: drift */
 #define PM_LOOP_GAIN 0.25 /* of what was left before: a sweep that leaves more gains nothing; larger: more sweeps in vain */
 #define PM_LOOP_RANK 1e-9 /* of the greatest pivot: below it loop constraints depend on each other; larger: constraints that hold are dropped */
 #define PM_LOOPS_MANY 12  /* loop constraints: from here a partition is cheaper than the whole system; more: slower */
 #define PM_LOOP_FLAT 0.01 /* square of the independent part of a loop constraint: below, partition; larger: slower */
-#define PM_LOOP_STEEP \
-    5 /* rate of a dependent coordinate over an independent one: choose anew; larger: less exact */
+#define PM_LOOP_STEEP 5 /* rate of a dependent coordinate over an independent one: choose anew; larger: less exact */
 #define PM_SERIES_REACH 0.5 /* rad: so far the series of cosine and sine have all figures; larger: figures are lost */
 
 /* ---- events ---- */
@@ -323,67 +306,46 @@
 
 /* ---- run ---- */
 
-#define PM_DISTURBED_SPEED \
-    3e-14 /* of velocities, in coarse runs: PM_COARSER times some roundings; more: errors estimated larger */
+#define PM_DISTURBED_SPEED 3e-14 /* of velocities, in coarse runs: PM_COARSER times some roundings; more: errors estimated larger */
 #define PM_DISTURBED_PLACE 2e-15 /* of positions; more: a contact that has just been left would overlap */
-#define PM_PLAN_PASSED \
-    0.2 /* independent part of each constraint: a singular position lies behind; more: later */
+#define PM_PLAN_PASSED 0.2 /* independent part of each constraint: a singular position lies behind; more: later */
 
 #define PM_RUN_SINGULAR 1e-4 /* independent part of a constraint: a ledger that does not close there comes of it; larger: other faults are told as that */
 
 /* ---- study ---- */
 
-#define PM_ACCURACY_CLAIMED \
-    2e-14 /* of an answer: least error that is claimed; more: hides accuracy that is there */
-#define PM_ACCURACY_COARSE \
-    1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
-#define PM_ACCURACY_REFINEMENTS \
-    2 /* passes at tighter tolerances; more: longer runs that may not get better */
-#define PM_ACCURACY_LEAST_FACTOR \
-    1e-4 /* of the tolerance, from one pass to the next: least change; more: more passes */
+#define PM_ACCURACY_CLAIMED 2e-14 /* of an answer: least error that is claimed; more: hides accuracy that is there */
+#define PM_ACCURACY_COARSE 1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
+#define PM_ACCURACY_REFINEMENTS 2 /* passes at tighter tolerances; more: longer runs that may not get better */
+#define PM_ACCURACY_LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next: least change; more: more passes */
 #define PM_ACCURACY_MOST_FACTOR 0.1 /* the same: a smaller change is not worth a pass */
-#define PM_ACCURACY_FINER \
-    2 /* times a route's finest tolerance: nothing is gained below; more: gives up earlier */
-#define PM_ACCURACY_AIM \
-    0.1 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
-#define PM_ACCURACY_OF_TERMS \
-    4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
-#define PM_ACCURACY_OF_STEP \
-    2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
-#define PM_ACCURACY_PAYS \
-    0.8 /* of the errors before: what a tighter pass must leave to pay; more: passes that gain little */
-#define PM_ACCURACY_LONGER \
-    12 /* times the steps of the first pass: no later one is waited for any longer; more: slower */
+#define PM_ACCURACY_FINER 2 /* times a route's finest tolerance: nothing is gained below; more: gives up earlier */
+#define PM_ACCURACY_AIM 0.1 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
+#define PM_ACCURACY_OF_TERMS 4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
+#define PM_ACCURACY_OF_STEP 2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
+#define PM_ACCURACY_PAYS 0.8 /* of the errors before: what a tighter pass must leave to pay; more: passes that gain little */
+#define PM_ACCURACY_LONGER 12 /* times the steps of the first pass: no later one is waited for any longer; more: slower */
 #define PM_ACCURACY_FEW_STEPS 300 /* steps that any pass may take besides; likewise */
 #define PM_MARGIN_SAME_INSTANT 0.5 /* of the time since the instant before: passes that are farther apart are at other instants; larger: right answers are called undecided */
 #define PM_MARGIN_SAME_BLOW 1.5 /* between the speeds of approach of two passes: more, and they are other blows of a series; larger: right answers are called undecided */
-#define PM_MARGIN_LEAST \
-    2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */
-#define PM_FIND_PROBE \
-    1e-3 /* of the distance of samples: shows whether the ask gets better off an end; more: beyond a peak */
+#define PM_MARGIN_LEAST 2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */
+#define PM_FIND_PROBE 1e-3 /* of the distance of samples: shows whether the ask gets better off an end; more: beyond a peak */
 #define PM_FIND_TIE 1e-9  /* of their size: extremes that differ by less are several; more: more remarks */
 #define PM_FIND_SAME 1e-9 /* of the bounds' distance: places that are one; more: takes two for one */
-#define PM_FIND_OUTCOME \
-    5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: errors estimated larger */
-#define PM_FIND_TOUCH \
-    4 /* times nearer to zero than its samples: a condition may reach it; more: fewer looks, misses */
+#define PM_FIND_OUTCOME 5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: errors estimated larger */
+#define PM_FIND_TOUCH 4 /* times nearer to zero than its samples: a condition may reach it; more: fewer looks, misses */
 #define PM_FIND_WIDEST 0.25 /* of the interval: first distance of differences; more: leaves the interval */
 #define PM_FIND_HALVINGS 12 /* towards an end, for the other sign of the derivative; more: more runs */
 #define PM_FIND_VALUES 100  /* values of the minimiser; more would only put off its end */
-#define PM_FIND_CLOSE \
-    1e-13 /* of the place: width at which the minimiser stops; more: less accurate corners */
-#define PM_FIND_NOISE \
-    1e-9 /* of a value: it may seem worse by this at the derivative's root; more: takes other roots */
+#define PM_FIND_CLOSE 1e-13 /* of the place: width at which the minimiser stops; more: less accurate corners */
+#define PM_FIND_NOISE 1e-9 /* of a value: it may seem worse by this at the derivative's root; more: takes other roots */
 #define PM_PAIR_STEPS 60    /* steps from one start; more would only put off its end */
 #define PM_PAIR_STILL 1e-15 /* of the bounds' distance: a step that is no step; more: ends earlier */
-#define PM_PAIR_MET \
-    1e-8 /* of the greatest size on the grid: a condition is met; more: takes what only comes near */
+#define PM_PAIR_MET 1e-8 /* of the greatest size on the grid: a condition is met; more: takes what only comes near */
 #define PM_PAIR_SAME 1e-7 /* of the bounds' distance: roots that are one; more: takes two for one */
 #define PM_ROOT_STEPS 200 /* runs to close a bracket; more would only put off its end */
-#define PM_ROOT_FEW \
-    1e-9 /* of the bracket: as far as a root's error goes; more: steps over other thresholds */
-#define PM_ROOT_JUMP \
-    1e-3 /* of the first step of the function: what a closed bracket cannot have left; more: jumps pass for roots */
+#define PM_ROOT_FEW 1e-9 /* of the bracket: as far as a root's error goes; more: steps over other thresholds */
+#define PM_ROOT_JUMP 1e-3 /* of the first step of the function: what a closed bracket cannot have left; more: jumps pass for roots */
 
 /* ---- the limit on computing time ---- */
 #define PM_PATIENCE_BETWEEN 2e-4 /* s: looks at the clock that are nearer are made more seldom; more: heard later */

@@ -11,8 +11,8 @@
 #define PM_EVIDENCE_SEED 2385 /* of the disturbances of a coarse run: any number */
 
 enum pm_evidence_kind {
-    PM_EVIDENCE_VALUE =
-        0, /* of a function of the phase that did not fire at this instant; of a trigger after a jump */
+    /* of a function of the phase that did not fire at this instant; of a trigger after a jump */
+    PM_EVIDENCE_VALUE = 0,
     PM_EVIDENCE_RATE = 1, /* at which a function went through zero: none, and it would have reversed */
     PM_EVIDENCE_NEAR = 2, /* least value of a function that came close and reversed */
     PM_EVIDENCE_SIGN = 3  /* of an impulse, a force, a speed: compared in a blow or a choice of modes */
@@ -71,10 +71,9 @@ typedef struct pm_pass {
     double margin;    /* of the decisions whose errors the route itself gave */
     double relative;  /* greatest error of T on its paths, of T */
     double late;      /* of the time along them: what the nodes of the steps did not resolve */
-    double *
-        extreme; /* [2][ntrigger] nearest to zero of what forces or speeds decide, and how far it was nearby */
-    int cut;     /* a series of blows without end was cut off, by its error in time */
-    int unsure;  /* the extremes of such a function are not known */
+    double *extreme;  /* [2][ntrigger] nearest to zero of a decision by forces, and how far nearby */
+    int cut;          /* a series of blows without end was cut off, by its error in time */
+    int unsure;       /* the extremes of such a function are not known */
     double tied; /* s, when a jump that was located and a time of the scene were at one instant; NaN: never */
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;

@@ -19,15 +19,14 @@ typedef struct pm_frame {
     const double *q, *v, *z;
     const pm_memory *memory;
     int level;
-    double *pose;     /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
-    double *velocity; /* [nbody + 1][3]; last: zero */
-    double *angle;    /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
-    double *f;        /* [nq] applied forces */
-    double *power;    /* [nforce] of forces without potential */
-    double *a;        /* [nq] accelerations */
-    double *lambda;   /* [nconstraint] reactions of the active constraints */
-    struct pm_modes
-        *modes; /* of small motion about the state (state/modes.h); NULL where nothing asks for them */
+    double *pose;           /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
+    double *velocity;       /* [nbody + 1][3]; last: zero */
+    double *angle;          /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
+    double *f;              /* [nq] applied forces */
+    double *power;          /* [nforce] of forces without potential */
+    double *a;              /* [nq] accelerations */
+    double *lambda;         /* [nconstraint] reactions of the active constraints */
+    struct pm_modes *modes; /* of small motion (state/modes.h); NULL where nothing asks for them */
 } pm_frame;
 
 /* The time, s, at which programs of forces and drives are run. */

@@ -13,21 +13,19 @@ typedef struct pm_turning_plane {
 } pm_turning_plane;
 
 typedef struct pm_numbers {
-    const double *param; /* [nparam] of the case, in the caller's array */
-    double *value;       /* [nvalue] */
-    double *folded;      /* [fold->nnumber] of the programs: what stays the same throughout the case */
-    int is_folded;       /* `folded` is worked out */
-    double *mass;        /* [nbody] kg */
-    double
-        *inverse_mass; /* [nq] 1/kg, 1/(kg m^2): inverse of the diagonal of M; 0: held (a particle's angle) */
+    const double *param;  /* [nparam] of the case, in the caller's array */
+    double *value;        /* [nvalue] */
+    double *folded;       /* [fold->nnumber] of the programs: what stays the same throughout the case */
+    int is_folded;        /* `folded` is worked out */
+    double *mass;         /* [nbody] kg */
+    double *inverse_mass; /* [nq] 1/kg, 1/(kg m^2): diagonal of M^-1; 0: held (a particle's angle) */
     double *inverse_root; /* [nq] its square root, but no more than PM_LIGHT_METRIC allows */
     unsigned char *light; /* [nq] next to no inertia beside the heaviest body, of the scene's size */
     int light_any;
-    double *stand_in; /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
-    unsigned char
-        *fixed;   /* [nbody + 1] the body is fixed (equations/fixed_bodies.h); last: the ground, which is */
-    int massless; /* some coordinate has such */
-    double gravity[2]; /* m/s^2 */
+    double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
+    unsigned char *fixed; /* [nbody + 1] the body is fixed; last: the ground, which is */
+    int massless;         /* some coordinate has such */
+    double gravity[2];    /* m/s^2 */
     pm_turning_plane plane;
     struct pm_constraint *of_joint;   /* [njoint_constraint] constraints of all joints (elements/joint.h) */
     struct pm_constraint *of_contact; /* [ncontact] their normal constraints (elements/constraint.h) */
@@ -35,8 +33,7 @@ typedef struct pm_numbers {
     double speed;                     /* m/s, speed scale; grows with the motion */
     double accuracy;                  /* relative, asked of the answers */
     double tolerance;                 /* relative, of integration */
-    double
-        coarse; /* factor on steps and on what counts as nothing: 1, but in a coarse run (study/accuracy.h) */
+    double coarse; /* factor on steps and on what counts as nothing: 1, more in a coarse run */
 } pm_numbers;
 
 #endif

@@ -60,8 +60,7 @@ typedef struct pm_route_ops {
     int reuses_segments; /* a segment of its motion that has been before is taken over (routes/path/repeat.h) */
     int when_lost;       /* enum pm_when_lost */
     int price;           /* routes in order of their cost */
-    const pm_chebyshev_nodes
-        *nodes; /* where its steps are sampled, unless a step says otherwise (w->nodes) */
+    const pm_chebyshev_nodes *nodes; /* where its steps are sampled, unless a step says otherwise */
 } pm_route_ops;
 
 /* 1 if the route computes the phase that starts at w->state: then it is ready to begin it. */

@@ -19,15 +19,12 @@ struct pm_chebyshev_nodes;
 typedef struct pm_active_set {
     pm_constraint *constraint; /* [nconstraint] */
     int n;
-    int njoint; /* of these the first are the joints' */
-    pm_constraint
-        *redundant; /* [nconstraint] those that depend on the active ones: the motion is right without them */
+    int njoint;               /* of these the first are the joints' */
+    pm_constraint *redundant; /* [nconstraint] those that depend on the active ones */
     int nredundant;
-    unsigned char
-        *doubtful; /* [nconstraint] active ones that depended on those before them, here but not nearby */
+    unsigned char *doubtful; /* [nconstraint] active, and dependent here but not nearby */
     int *aside;    /* [nconstraint] scratch of active_set.c: places of those that are taken out for a while */
-    double *
-        share; /* [nconstraint] reactions of the redundant ones: 0, or what equations/shared_reading.h gives them */
+    double *share; /* [nconstraint] reactions of redundant ones: 0, or by shared_reading.h */
     int asymmetric;  /* some contact slides: H differs from G */
     int evaluated;   /* the last projection, or building, has left the frame where it evaluated them */
     int64_t version; /* counts the sets */
@@ -159,8 +156,7 @@ typedef struct pm_firing {
     int64_t *seen;          /* [nevent] how often its triggers were marked */
     unsigned char *counted; /* [nevent] enum pm_counted, at this instant */
     double *time;           /* [nevent] s, when it fired last; not a number before */
-    double *
-        side; /* [nevent] of a switch of forces: 1 if its program counts as positive; of a table: the piece */
+    double *side;           /* [nevent] of a switch: 1 where its program is positive; of a table: the piece */
     double jumped; /* s, when velocities jumped last at an instant that was located; not a number before */
 } pm_firing;
 

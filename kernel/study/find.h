@@ -31,8 +31,7 @@ typedef struct pm_find {
     int nfound;
     int changes; /* of the outcome between samples, where the parameter itself is to be extreme */
     int64_t runs;
-    double
-        resolution; /* relative: how well the threshold of an outcome can be known; 0 for roots and extremes */
+    double resolution;           /* relative: how well the threshold is known; 0 for roots and extremes */
     void *root, *minimum, *pair; /* GSL's solvers */
 } pm_find;
 

@@ -42,9 +42,8 @@ typedef struct pm_tree_part {
     int *left, *bottom, *right; /* [nconstraint] where J_v may differ from zero: tree_band.c, dense.h */
     double *jacobian;           /* [nconstraint][n] of the loop constraints, where pm_tree_accelerate was */
     double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */
-    double
-        independence; /* least square of the part of a loop constraint that those before it leave, while they are not */
-    double steepest; /* rate of a dependent coordinate, lengths by the scene's size */
+    double independence;        /* least square of what a loop constraint adds to those before it */
+    double steepest;            /* rate of a dependent coordinate, lengths by the scene's size */
     double least_regular,
         most_regular; /* least pivot of J_v over its greatest, 0 in a singular position: range since
                                            pm_tree_forget_regular */

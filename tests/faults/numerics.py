@@ -84,7 +84,7 @@ FAULTS = [
     Fault(
         "nudge: a deviation that is not small",
         "numerics/tolerances_routes.h",
-        "PM_PERTURBATION_SIZE \\ 0.1",
+        "PM_PERTURBATION_SIZE 0.1",
         "PM_PERTURBATION_SIZE 1e5",
     ),
     Fault(

@@ -8,10 +8,9 @@ typedef struct pm_fastest_growth {
     unsigned char *free; /* [nq] the coordinates that may deviate */
     double *push;        /* [nq] velocities of a small blow: the deviation is what they excite */
     /* what is found */
-    double *q,
-        *v; /* [nq] the deviation, seen in the scene; the greatest part is 1 of the scene's size or time */
-    double spin; /* of the axes in which the motion is steady, rad/s */
-    double rate; /* at which the deviation grows, 1/s; 0: none does */
+    double *q, *v; /* [nq] the deviation; its greatest part is 1 of the scene's size or time */
+    double spin;   /* of the axes in which the motion is steady, rad/s */
+    double rate;   /* at which the deviation grows, 1/s; 0: none does */
     /* scratch */
     int n;                          /* free coordinates */
     int *at;                        /* [nq] which they are */
