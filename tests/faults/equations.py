@@ -197,6 +197,12 @@ FAULTS = [
         "audit: loss of a blow", "equations/ledger.c", "loss -= 0.5 * lambda[i]", "loss -= 0.4 * lambda[i]"
     ),
     Fault(
+        "projection: one sweep is enough",
+        "equations/projection.h",
+        "sweep == PM_PROJECTION_SWEEPS ||",
+        "sweep == 1 ||",
+    ),
+    Fault(
         "projection: position left out",
         "equations/projection.c",
         "move_symmetric(w, s->q)",

@@ -57,4 +57,23 @@ FAULTS = [
         "    pm_trigger_take_sides(w);\n",
         "",
     ),
+    Fault(
+        "plan: a nudge is no rule",
+        "run/plan.c",
+        "return w->request.program != PM_NONE;",
+        "return 0 * w->request.program;",
+    ),
+    Fault(
+        "plan: a singular position is no rule",
+        "run/plan.c",
+        "return w->phase.singular;",
+        "return 0 * w->phase.singular;",
+    ),
+    Fault(
+        "plan: stiff motion is no rule",
+        "run/plan.c",
+        "return w->phase.stiff == PM_STIFF && w->ida;",
+        "return 0 * w->phase.stiff;",
+    ),
+    Fault("plan: a rule without its condition", "run/plan.c", "(!r->when || r->when(w)) && ", ""),
 ]

@@ -215,7 +215,7 @@ static double mean(long double a, long double b) /* arithmetic-geometric */
 }
 
 /* The path knows the error of its clock: times of a rod of length 1 on its pin by elliptic integrals (Gauss's mean), from
- * rest to the lowest place and from there, fast enough, to the highest.  No coarse run runs; a watched event that the
+ * rest to the lowest place and from there, fast enough, to the highest.  No coarse run is made; a watched event that the
  * speeds decide changes nothing, one that ends the run is not for it. */
 static void clock_errors(void)
 {
@@ -288,7 +288,7 @@ static void slow_over_the_top(void)
 }
 
 /* A rod on its pin goes from its lowest to its highest place; alpha = -3/2 g cos(angle) is least half-way.  How often it
- * passes a threshold `above` that least value, 2 or 0 times, is only counted: no coarse run runs, and the margin falls as
+ * passes a threshold `above` that least value, 2 or 0 times, is only counted: no coarse run is made, and the margin falls as
  * the threshold comes near. */
 static scene *counting(double above)
 {
