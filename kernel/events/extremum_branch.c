@@ -110,8 +110,36 @@ static int offer_at(pm_workspace *w, const pm_extremum *p, double t)
     return t > w->step.end ? PM_OK : pm_extremum_offer_at(w, p, t);
 }
 
+/* The branch that is taken right before a switch is passed, or right after it (at node k or the next one): of the other
+ * switches those that stand there as they do beside it. */
+static void signs_beside(const pm_extremum_branches *b, const pm_switches *there, int k,
+                         pm_extremum_signs sign)
+{
+    for (int j = 0; j < b->at.n; j++) {
+        const double arg = there->arg[j][0];
+        sign[j] = fabs(arg) > b->branch.zero[j] ? (signed char)(arg < 0 ? -1 : 1) : b->sign[k][j];
+    }
+}
+
+/* The value jumps at switch i, where the frame looks, between node k and the next: what it comes from and what it goes to are
+ * its branches there. */
+static void offer_jump(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int i, int k)
+{
+    const int program = pm_ask_program(PM_ASK_ROW(w->model, p->ask));
+    pm_switches there = {.sign = NULL}, beside;
+    pm_extremum_signs sign;
+    pm_watched_samples_here(w, program, &there);
+    for (int side = 0; side < 2; side++) {
+        signs_beside(b, &there, k + side, sign);
+        sign[i] = b->sign[k + side][i];
+        beside.sign = sign;
+        const double value = pm_watched_samples_here(w, program, &beside);
+        if (isfinite(value)) pm_ask_offer(w, p->ask, value, 0);
+    }
+}
+
 /* The value where switch i changes between node k and the next: *t, or the node where it is zero. */
-static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i, int k,
+static int offer_switch(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int i, int k,
                         double *t)
 {
     const double from = pm_step_node(&w->step, k), to = pm_step_node(&w->step, k + 1);
@@ -126,9 +154,7 @@ static int offer_switch(pm_workspace *w, const pm_extremum *p, const pm_extremum
     }
     int status = pm_fail_search(&w->result, end);
     if (!status) status = offer_at(w, p, *t);
-    const double beside = PM_JUMP_BESIDE * (to - from);
-    if (!status && b->at.jumps[i]) status = offer_at(w, p, *t - beside);
-    if (!status && b->at.jumps[i]) status = offer_at(w, p, *t + beside);
+    if (!status && b->at.jumps[i] && *t <= w->step.end) offer_jump(w, p, b, i, k);
     return status;
 }
 
