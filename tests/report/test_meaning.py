@@ -17,6 +17,7 @@ from planemotion.language.tree import WRITTEN_FUNCTIONS
 from planemotion.language.units import factor
 from planemotion.model import tables, words
 from planemotion.model.element import Element, Table
+from planemotion.model.readers import SWEEP_KEYS
 from planemotion.model.tabulated import Tabulated
 from planemotion.reading.scene import SceneData
 from planemotion.report.meaning import Meaning, meaning_of, meanings
@@ -43,7 +44,7 @@ COUPLING_QUANTITIES = {quantity for kind in KINDS["couplings"].values() for quan
 WORDS: Mapping[str, Mapping[str, set[str]]] = {
     "tables": {
         **{model.__name__: set(model.file_keys()) - _inherited(model) for model in TABLES},
-        "Sweep": {"zip", "design", "refine"},  # beside it stand parameters
+        "Sweep": set(SWEEP_KEYS),  # beside it stand parameters
     },
     "kinds": {
         kind.word: {kind.word, *kind.options()} - set(Element.model_fields)

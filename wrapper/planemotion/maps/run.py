@@ -94,7 +94,7 @@ class _Map:
 def _sides(study: Study, tolerance: float) -> tuple[Side, Side]:
     """Both axes of the map."""
     groups = study.plan.groups
-    if len(groups) != 2 or any(len(group) != 1 for group in groups) or study.plan.drawn is not None:
+    if len(groups) != 2 or any(len(group) != 1 for group in groups) or study.plan.listed is not None:
         reason = (
             "a map is over two parameters with a grid each; this sweep has "
             f"{' x '.join('+'.join(axis.name for axis in group) for group in groups)}"

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 Value: TypeAlias = str | int | float | bool
 # What a distribution is given by.
 # What a sweep has beside its grids.
-SWEEP_KEYS = ("zip", "design", "refine")
+SWEEP_KEYS = ("zip", "design", "refine", "cases")
 DISTRIBUTIONS: Mapping[str, tuple[str, ...]] = {
     "uniform": ("least", "greatest"),
     "normal": ("mean", "standard deviation"),
@@ -225,6 +225,9 @@ def read_numbers(written: Any) -> tuple[Value, ...]:
 
 def read_swept(written: Any) -> Any:
     """A grid, or a table with a distribution."""
+    if isinstance(written, Mapping) and "listed" in written:
+        values = written.get("values")
+        return written if values is None else {**written, "values": tuple(map(read_value, values))}
     given = [word for word in DISTRIBUTIONS if isinstance(written, Mapping) and word in written]
     if not given:
         return read_grid(written)
@@ -246,6 +249,7 @@ def read_sweep(written: Any) -> Any:
         "zip": tuple(tuple(group) for group in groups),
         "design": written.get("design"),
         "refine": written.get("refine"),
+        "cases": written.get("cases"),
     }
 
 

@@ -13,6 +13,7 @@ from pydantic import BeforeValidator, Field
 
 from . import words
 from .element import Kind, Number, Pair, Partners, Table, Text
+from .listed import Cases, Listed
 from .readers import (
     DISTRIBUTIONS,
     DrivenPlace,
@@ -187,7 +188,7 @@ class Contact(Kind):
 class Grid(Table):
     """A list of values, or from .. to in `num` values or steps of `step`, ends included; shape only."""
 
-    unwritten = ("values",)
+    unwritten: ClassVar[tuple[str, ...]] = ("values",)
     values: tuple[Value, ...] | None = None
     from_: Number | None = Field(None, alias="from")
     to: Number | None = None
@@ -203,8 +204,13 @@ Numbers = Annotated[tuple[Value, ...], BeforeValidator(read_numbers)]
 
 
 class Swept(Grid):
-    """The values of a swept parameter: a grid, or a distribution from which the design draws."""
+    """The values of a swept parameter: a grid, or a distribution from which the design draws.
 
+    `listed`: of the parameter of cases that are listed, where its `values` are not.
+    """
+
+    unwritten: ClassVar[tuple[str, ...]] = ("values", "listed")
+    listed: Listed | None = None
     uniform: Numbers | None = None
     normal: Numbers | None = None
     lognormal: Numbers | None = None
@@ -368,4 +374,5 @@ class Sweep(Table):
     grids: dict[str, SweptOf] = {}
     design: Design | None = None
     refine: Refine | None = None
+    cases: Cases | None = None
     zip: tuple[tuple[str, ...], ...] = ()

@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
-import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ..base.bounded import read_bytes
 from ..base.errors import Faults, SceneError, nearest
 from ..language.dimensions import DIMENSIONLESS, Dimension
-from ..language.units import factor, parse_quantity
+from ..language.units import parse_quantity
 from ..model import words
 from ..model.tabulated import Points
+from .columns import Column, CsvFile
 
 # Bytes of a file, and rows of a table: far above what is measured by hand, and below what makes a run slow.
 MOST_BYTES = 50_000_000
 MOST_ROWS = 100_000
-# "height [mm]" or "height (mm)": a name and a unit; "[1]" is a plain number.
-_HEAD = re.compile(r"\s*(.*?)\s*(?:\[([^\]]*)\]|\(([^)]*)\))?\s*")
 _GIVEN = 'at = ["0 s", "1 s"] and value = ["0 N", "5 N"], or file = "measured.csv"'
 
 
@@ -50,7 +45,7 @@ def _points(table: Mapping[str, Any], path: str, file: str | None) -> Points:
             reason = "the values stand in the file: the name of one of its columns is wanted here"
             raise SceneError(reason, path=f"{path}.{key}")
     place = Path(given) if file is None else Path(file).parent / given
-    return _File(place, given, path).points(table)
+    return _points_of(CsvFile(place, given, f"{path}.file", MOST_BYTES), table, path)
 
 
 # ---- in the scene ----
@@ -111,82 +106,38 @@ def _check_rows(rows: int, path: str, file: str | None = None) -> None:
 # ---- in a file ----
 
 
-class _File:
-    """A CSV file: a header with units, then rows of numbers; empty lines and those with # are passed."""
+def _points_of(file: CsvFile, table: Mapping[str, Any], path: str) -> Points:
+    """What stands in the two columns that the scene names; else in the first two."""
+    columns = file.header("a header with units is wanted")
+    if len(columns) < 2:
+        raise file.fault("two columns are wanted, such as: t [s],force [N]", file.header_line)
+    argument, result = (_place(file, columns, table.get(key), i, f"{path}.{key}") for i, key in _KEYS)
+    (x_factor, x_dimension), (y_factor, y_dimension) = file.unit(argument), file.unit(result)
+    at: list[float] = []
+    value: list[float] = []
+    for line, row in file.rows():
+        at.append(file.number(row, argument, line) * x_factor)
+        value.append(file.number(row, result, line) * y_factor)
+        if len(at) > 1 and not at[-1] > at[-2]:
+            shown = f"{argument.name} = {row[argument.place].strip()}"
+            raise file.fault(f"{shown}: arguments must increase from row to row", line)
+    _check_rows(len(at), path, file.file)
+    return Points(tuple(at), tuple(value), x_dimension, y_dimension)
 
-    def __init__(self, place: Path, name: str, path: str) -> None:
-        self.file = str(place)
-        self.path = path
-        try:
-            text = read_bytes(place, MOST_BYTES).decode("utf-8-sig")
-        except UnicodeDecodeError:
-            raise SceneError("the file is not text in UTF-8", path=f"{path}.file", value=name) from None
-        except OSError as error:
-            reason = f"cannot be read: {error.strerror or error}"
-            raise SceneError(reason, path=f"{path}.file", value=name) from None
-        reader = csv.reader(io.StringIO(text))
-        try:
-            self._rows = [
-                (reader.line_num, row) for row in reader if any(row) and not row[0].lstrip().startswith("#")
-            ]
-        except csv.Error as error:
-            raise self._fault(f"this is no CSV: {error}", reader.line_num) from None
 
-    def points(self, table: Mapping[str, Any]) -> Points:
-        """What stands in the two columns that the scene names; else in the first two."""
-        if not self._rows:
-            raise self._fault("the file is empty; a header with units is wanted", 1)
-        line, header = self._rows[0]
-        heads = [_HEAD.fullmatch(one) for one in header]
-        known = [head[1] if head else one for head, one in zip(heads, header, strict=True)]
-        if len(known) < 2:
-            raise self._fault("two columns are wanted, such as: t [s],force [N]", line)
-        places = [self._place(table.get(key), i, known, key) for i, key in enumerate(("at", "value"))]
-        units = [self._unit(heads[place], header[place], line) for place in places]
-        _check_rows(len(self._rows) - 1, self.path, self.file)
-        at, value = [], []
-        for line, row in self._rows[1:]:
-            if len(row) != len(header):
-                raise self._fault(f"{len(row)} fields; the header has {len(header)}", line)
-            x, y = (self._number(row[place], known[place], line) for place in places)
-            at.append(x * units[0][0])
-            value.append(y * units[1][0])
-            if len(at) > 1 and not at[-1] > at[-2]:
-                shown = f"{known[places[0]]} = {row[places[0]].strip()}"
-                raise self._fault(f"{shown}: arguments must increase from row to row", line)
-        return Points(tuple(at), tuple(value), units[0][1], units[1][1])
+_KEYS = ((0, "at"), (1, "value"))
 
-    def _place(self, wanted: Any, first: int, known: list[str], key: str) -> int:
-        if wanted is None:
-            return first
-        if wanted not in known:
-            guess = nearest(wanted, known)
-            hint = f' (did you mean "{guess}"?)' if guess else ""
-            reason = f"{self.file} has no such column{hint}; it has {', '.join(known)}"
-            raise SceneError(reason, path=f"{self.path}.{key}", value=wanted)
-        if known.count(wanted) > 1:
-            reason = f"{self.file} has {known.count(wanted)} columns of that name"
-            raise SceneError(reason, path=f"{self.path}.{key}", value=wanted)
-        return known.index(wanted)
 
-    def _unit(self, head: re.Match[str] | None, written: str, line: int) -> tuple[float, Dimension]:
-        unit = head and (head[2] if head[2] is not None else head[3])
-        if unit is None:
-            reason = f'the column "{written.strip()}" has no unit: write "{written.strip()} [mm]", or "[1]"'
-            raise self._fault(reason, line)
-        try:
-            return (1.0, DIMENSIONLESS) if unit.strip() in ("", "1") else factor(unit.strip())
-        except SceneError as error:
-            raise self._fault(f'in the column "{written.strip()}": {error.reason}', line) from None
-
-    def _number(self, written: str, column: str, line: int) -> float:
-        try:
-            number = float(written)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            raise self._fault(f"{column} = {written.strip() or 'nothing'}: a finite number is wanted", line)
-        return number
-
-    def _fault(self, reason: str, line: int) -> SceneError:
-        return SceneError(reason, file=self.file, line=line, path=self.path)
+def _place(file: CsvFile, columns: Sequence[Column], wanted: Any, first: int, path: str) -> Column:
+    if wanted is None:
+        return columns[first]
+    named = [column for column in columns if column.name == wanted]
+    if not named:
+        known = [column.name for column in columns]
+        guess = nearest(wanted, known)
+        hint = f' (did you mean "{guess}"?)' if guess else ""
+        reason = f"{file.file} has no such column{hint}; it has {', '.join(known)}"
+        raise SceneError(reason, path=path, value=wanted)
+    if len(named) > 1:
+        raise SceneError(f"{file.file} has {len(named)} columns of that name", path=path, value=wanted)
+    return named[0]

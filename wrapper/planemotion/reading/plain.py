@@ -25,7 +25,8 @@ def literal(value: Any) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """A value as TOML has it: quantities of pint become texts, arrays lists, numbers of numpy plain ones."""
+    """A value as TOML has it: quantities of pint become texts, arrays lists, numbers of numpy plain
+    ones, tables of pandas lists by column."""
     check_table(value)
     return _plain_value(value)
 
@@ -45,6 +46,8 @@ def _plain_value(value: Any) -> Any:
         return {str(key): _plain_value(one) for key, one in value.items()}
     if isinstance(value, list | tuple):
         return [_plain_value(one) for one in value]
+    if hasattr(value, "columns") and hasattr(value, "to_dict"):  # a table of pandas
+        return _plain_value(value.to_dict("list"))
     if hasattr(value, "dimensionality"):
         if np.ndim(value.magnitude):
             return [_plain_value(one) for one in value]

@@ -31,6 +31,7 @@ from ..model.tables import (
     Sweep,
 )
 from .advice import advice
+from .cases import with_cases
 from .check import check, kind_of
 from .measured import add_points
 from .renamed import renewed
@@ -72,6 +73,7 @@ def validate(
         }
         content = {**raw, "id": raw.get("id", name), "parameters": parameters, **told}
         measured = {"tables": add_points(raw, file)} if "tables" in raw else {}
+        measured.update(with_cases({**raw, "parameters": parameters}, file))
         data = _construct({**content, **_taken_apart(raw), **_elements(raw), **measured})
         _check_more(data)
     except SceneError as error:
@@ -224,6 +226,8 @@ def _check_more(data: SceneData) -> None:
             raise SceneError(f'"{name}" is zipped twice', path="sweep.zip")
         if data.sweep.grids[name].is_drawn:
             raise SceneError(f'"{name}" has a distribution; what is drawn moves together', path="sweep.zip")
+        if data.sweep.grids[name].listed:
+            raise SceneError(f'"{name}" is listed in cases; a row of them moves together', path="sweep.zip")
     _check_design(data.sweep)
     for index, name in enumerate((data.sweep.refine and data.sweep.refine.of) or ()):
         if name not in data.ask:

@@ -17,6 +17,7 @@ from pydantic.fields import FieldInfo
 from ..kinds import KINDS
 from ..model import readers
 from ..model.element import Kind, Table
+from ..model.listed import Cases
 from ..model.tables import Design, Find, Refine, Sweep, Swept
 from ..reading.scene import SceneData
 from .meaning import meaning_of, meanings
@@ -195,6 +196,8 @@ class _Definitions:
             "zip": zipped,
             **{key: _said(Sweep, key, self.table(model)) for key, model in tables.items()},
         }
+        cases = {**self.table(Cases), "additionalProperties": {"type": "array", "items": _VALUE}}
+        properties["cases"] = _said(Sweep, "cases", {"anyOf": [{"type": "string"}, cases]})
         return {"type": "object", "properties": properties, "additionalProperties": grid}
 
     def _object(self, model: type[Table], fields: Mapping[str, FieldInfo]) -> Schema:

@@ -138,7 +138,7 @@ class Study:
                 axis.name: {
                     "unit": axis.unit,
                     "num": len(axis.values),
-                    **({"options": list(axis.labels)} if axis.options else {}),
+                    **({"options": list(dict.fromkeys(axis.labels))} if axis.options else {}),
                     "from": float(axis.values[0]),
                     "to": float(axis.values[-1]),
                 }
@@ -171,6 +171,7 @@ class Study:
             "versions": json.dumps(versions()),
             "solve": self.data.solve.model_dump_json(),
             "workers": self.workers,
+            **({"design": self.data.sweep.design.model_dump_json()} if self.data.sweep.design else {}),
             "created": time.strftime("%Y-%m-%dT%H:%M:%S%z"),
         }
 

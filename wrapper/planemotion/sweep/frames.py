@@ -69,7 +69,7 @@ def statistics(dataset: xr.Dataset) -> pd.DataFrame:
 
     Columns: unit, cases with an answer, mean, deviation, the quantiles q05, q50 and q95; "mean_error" and so
     on are standard errors of independent cases.  Those of a Latin hypercube, a Sobol or a Halton sequence
-    are smaller, as a rule.  Raises ValueError if no design has drawn the cases, or there is a grid beside.
+    are smaller, as a rule.  Cases that are listed count as drawn.  Raises ValueError for those of a grid.
     """
     import pandas as pd
 

@@ -17,19 +17,23 @@ from ..compile.grids import read_grid
 from ..geometry.parameters import Parameters
 from ..language.units import declared_unit, factor
 from ..model.readers import Value
+from ..model.tables import Swept
 from ..reading.scene import SceneData
 
 if TYPE_CHECKING:
     from ..reading.scene import WrittenScene
 
 
-# The dimension of cases that a design has drawn.
+# The dimension of cases that a design has drawn, or that are listed.
 CASE = "case"
 
 
 @dataclass(frozen=True)
 class Axis:
-    """The values of one swept parameter, as written, in `unit`; of an option their numbers, and `options`."""
+    """The values of one swept parameter, as written, in `unit`; of an option numbers, and `options` as many.
+
+    Options that are the same have the same number: they may come again where cases are listed.
+    """
 
     name: str
     unit: str
@@ -59,11 +63,11 @@ class Axis:
 class SweepPlan:
     """The cases of a sweep; `groups` are its dimensions, each with the parameters that move along it.
 
-    `drawn`: the group whose values a design has drawn; its dimension is called `case`.
+    `listed`: the group whose values a design has drawn, or which are listed; its dimension is called `case`.
     """
 
     groups: tuple[tuple[Axis, ...], ...]
-    drawn: int | None = None
+    listed: int | None = None
 
     @property
     def axes(self) -> tuple[Axis, ...]:
@@ -77,7 +81,7 @@ class SweepPlan:
     def dims(self) -> tuple[tuple[str, int], ...]:
         """Name (of its first parameter, or CASE) and length of each dimension."""
         return tuple(
-            (CASE if i == self.drawn else group[0].name, len(group[0].values))
+            (CASE if i == self.listed else group[0].name, len(group[0].values))
             for i, group in enumerate(self.groups)
         )
 
@@ -123,32 +127,53 @@ def _plan(data: SceneData) -> SweepPlan:
     values = draw(data.sweep.design, drawn, units) if data.sweep.design else {}
     for name, grid in data.sweep.grids.items():
         if name not in drawn and name not in options:
-            values[name] = read_grid(grid, path=f"sweep.{name}", unit=units[name])
+            values[name] = _numbers(name, grid, units[name])
     axes: dict[str, Axis] = {}
     for name, grid in data.sweep.grids.items():
         if name in options:
-            axes[name] = _option(name, grid.values or ())
+            axes[name] = _option(name, grid.values or (), again=grid.listed is not None)
             continue
         unit, numbers = values[name]
         wanted, given = dimensions[name], factor(unit)[1]
         if wanted not in (None, given):
-            raise SceneError(
-                f"the grid is of {given.name}, but the parameter is {wanted.phrase}", path=f"sweep.{name}"
-            )
+            raise _misfit(name, grid, f"of {given.name}, but the parameter is {wanted.phrase}")
         axes[name] = Axis(name, unit, numbers)
-    groups = tuple(_grouped(axes, [*data.sweep.zip, *([tuple(drawn)] if drawn else [])]))
-    at = next((i for i, group in enumerate(groups) if group[0].name in drawn), None)
+    listed = tuple(drawn) or tuple(name for name, grid in data.sweep.grids.items() if grid.listed)
+    groups = tuple(_grouped(axes, [*data.sweep.zip, *([listed] if listed else [])]))
+    at = next((i for i, group in enumerate(groups) if group[0].name in listed), None)
     return SweepPlan(groups, at)
 
 
-def _option(name: str, values: Sequence[Value]) -> Axis:
-    """An axis of options: each has its number."""
+def _numbers(name: str, grid: Swept, unit: str) -> tuple[str, Floats]:
+    """Unit and values of a grid, or of a column of listed cases; `unit` is that of bare numbers."""
+    listed = grid.listed
+    if listed is not None and listed.numbers is not None:
+        return listed.unit or "", listed.numbers
+    if listed is None:
+        return read_grid(grid, path=f"sweep.{name}", unit=unit)
+    return read_grid(grid, path=f"sweep.cases.{name}", unit=unit if listed.unit is None else listed.unit)
+
+
+def _misfit(name: str, grid: Swept, what: str) -> SceneError:
+    """The error that values are of another kind than the parameter."""
+    if grid.listed is None:
+        return SceneError(f"the grid is {what}", path=f"sweep.{name}")
+    reason = f"the column {name} is {what}"
+    return SceneError(reason, file=grid.listed.file, line=grid.listed.line, path="sweep.cases")
+
+
+def _option(name: str, values: Sequence[Value], *, again: bool) -> Axis:
+    """An axis of options: each has its number; the same may come `again`."""
     if not values:
         raise SceneError("an empty sweep; at least 1 value is needed", path=f"sweep.{name}", value="[]")
+    numbers: dict[tuple[bool, Value], float] = {}  # 1 and true are two options
     for value in values:
-        if values.count(value) > 1:
+        key = isinstance(value, bool), value
+        if not again and key in numbers:
             raise SceneError("it is there twice", path=f"sweep.{name}", value=value)
-    return Axis(name, "", np.arange(float(len(values))), tuple(values))
+        numbers.setdefault(key, float(len(numbers)))
+    codes = np.array([numbers[isinstance(value, bool), value] for value in values])
+    return Axis(name, "", codes, tuple(values))
 
 
 def _grouped(axes: Mapping[str, Axis], zips: Sequence[Sequence[str]]) -> Iterator[tuple[Axis, ...]]:

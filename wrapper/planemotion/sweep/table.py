@@ -104,7 +104,7 @@ class _Columns:
         self._grid: tuple[str, ...] = status.dimensions
         self.shape: tuple[int, ...] = status.shape
         self.cases = math.prod(self.shape)
-        self.drawn = self._grid == (CASE,)
+        self.drawn = self._grid == (CASE,) and "design" in file.attrs
         self._asks: list[str] = file["ask"][...].tolist()
         self._parameters: dict[str, tuple[int, Floats]] = {}  # axis of the grid, values along it
         self.header: list[str] = []

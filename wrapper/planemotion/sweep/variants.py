@@ -10,6 +10,7 @@ import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, product
 
 import numpy as np
 import numpy.typing as npt
@@ -49,13 +50,15 @@ def variants_of(plan: SweepPlan, counted: frozenset[str]) -> tuple[tuple[int, ..
     named = [plan.names[i] for i in columns]
     groups = [[axis for axis in group if axis.name in named] for group in plan.groups]
     groups = [group for group in groups if group]
-    count = math.prod(len(group[0].values) for group in groups)
+    # What moves together along a dimension, each once: cases that are listed repeat it.
+    steps = [list(dict.fromkeys(zip(*(axis.si.tolist() for axis in group), strict=True))) for group in groups]
+    count = math.prod(map(len, steps))
     if count > MOST_VARIANTS:
         reason = f"{count} scenes that differ in what there is; at most {MOST_VARIANTS} are possible"
         raise SceneError(reason, path=f"sweep.{named[0]}")
-    places = np.unravel_index(np.arange(count), [len(group[0].values) for group in groups])
-    rows = {axis.name: axis.si[i] for group, i in zip(groups, places, strict=True) for axis in group}
-    return columns, list(dict.fromkeys(zip(*(rows[name].tolist() for name in named), strict=True)))
+    order = [axis.name for group in groups for axis in group]
+    found = [dict(zip(order, chain.from_iterable(one), strict=True)) for one in product(*steps)]
+    return columns, list(dict.fromkeys(tuple(values[name] for name in named) for values in found))
 
 
 @dataclass(frozen=True)
