@@ -58,6 +58,7 @@ def result(
         status=status,
         run_status=status[:, None],
         route=np.full((cases, 1), PM_ROUTE_RK, np.int8),
+        solves=np.arange(cases, dtype=np.int32),
         audit=np.full((cases, 1, PM_AUDITS), 1e-12),
         error=np.empty((cases, 0), np.float32),
         trust=np.empty((cases, 0), np.float32),

@@ -116,11 +116,11 @@ def test_a_damaged_part_is_named_and_nothing_is_touched(
 
 def test_parts_of_an_earlier_version_are_refused(killed: Path, engine: FakeEngine) -> None:
     manifest = killed / "fake.parts/manifest.json"
-    manifest.write_text(manifest.read_text().replace('"format": 4', '"format": 3'))
-    with pytest.raises(StudyError, match=r"another version of planemotion, in another format \(3, now 4\)"):
+    manifest.write_text(manifest.read_text().replace('"format": 5', '"format": 4'))
+    with pytest.raises(StudyError, match=r"another version of planemotion, in another format \(4, now 5\)"):
         run.sweep_files(FakeScene(BIG), killed, resume=True)
     manifest.write_text("[]")
-    with pytest.raises(StudyError, match=r"in another format \(missing, now 4\)"):
+    with pytest.raises(StudyError, match=r"in another format \(missing, now 5\)"):
         run.sweep_files(FakeScene(BIG), killed, resume=True)
 
 

@@ -41,6 +41,7 @@ def block(
         status=np.where(np.isin(case, list(message or {})), PM_ASSEMBLY, 0).astype(np.int32),
         run_status=np.zeros((count, runs), np.int32),
         route=np.full((count, runs), PM_ROUTE_RK, np.int8),
+        solves=np.arange(first, first + count, dtype=np.int32),
         audit=case[:, None, None] * np.full((1, runs, PM_AUDITS), 1e-15),
         error=((case[:, None] + np.arange(columns) / 10) * 1e-12).astype(np.float32),
         trust=(case[:, None] + np.array([100.0, 0.5])).astype(np.float32),
@@ -312,7 +313,7 @@ def test_a_message_costs_no_space_where_all_is_well(tmp_path: Path) -> None:
             [block(i * 60_000, 60_000, message=message) for i in range(10)],
             {},
         )
-    numbers = 600_000 * (3 * 8 + 4 + 2 + 1 + PM_AUDITS * 8)
+    numbers = 600_000 * (3 * 8 + 4 + 2 + 1 + 4 + PM_AUDITS * 8)
     assert (tmp_path / "well").stat().st_size < numbers + 2_000_000
     assert (tmp_path / "ill").stat().st_size < numbers + 5_000_000
 

@@ -134,8 +134,8 @@ def test_a_result_of_an_earlier_version_is_told(result: Path) -> None:
         del file.attrs["checksums"]
     assert "it has no checksums: an earlier version wrote it" in faults(result)[0]
     with h5py.File(result, "r+") as file:
-        file.attrs["manifest"] = file.attrs["manifest"].replace('"format": 4', '"format": 3')
-    with pytest.raises(StudyError, match=r"in another format \(3, now 4\)"):
+        file.attrs["manifest"] = file.attrs["manifest"].replace('"format": 5', '"format": 4')
+    with pytest.raises(StudyError, match=r"in another format \(4, now 5\)"):
         resume(result)
 
 

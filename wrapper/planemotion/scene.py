@@ -431,6 +431,7 @@ class Scene:
         resume: bool = False,
         progress: Any = None,
         executor: Any = None,
+        stop_after: int | None = None,
         grids: Mapping[str, Any] | None = None,
         **more_grids: Any,
     ) -> Any:
@@ -445,7 +446,7 @@ class Scene:
         A grid is a list, an array, an array of quantities of pint, or a dict as in a file.
 
         `grids`: the same as a dict, also of parameters with the name of an option, such as "workers".  See
-        `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress` and what it returns.
+        `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress`, `stop_after` and what it returns.
 
         `executor`: what computes instead of threads of this process: anything that has `submit` as the
         executors of `concurrent.futures` have it (a process pool, a `dask.distributed.Client`,
@@ -464,6 +465,7 @@ class Scene:
             progress=progress,
             kept=self._kept,
             executor=executor,
+            stop_after=stop_after,
         )
 
     def sweep_shard(

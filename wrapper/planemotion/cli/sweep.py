@@ -14,6 +14,7 @@ import click
 from .options import FAILED, a_path, say, set_option, terminal_width
 
 if TYPE_CHECKING:
+    from ..scene import Scene
     from ..sweep.run import SweepFiles
     from ..sweep.shard import Shard
 
@@ -30,9 +31,7 @@ def _shard(_ctx: click.Context, _option: click.Parameter, written: str | None) -
 
 @click.command()
 @click.argument("study", type=a_path)
-@click.option(
-    "--out", required=True, metavar="DIR", type=a_path, help="Folder of the result; it is made if need be."
-)
+@click.option("--out", metavar="DIR", type=a_path, help="Folder of the result; it is made if need be.")
 @click.option(
     "--workers", metavar="N", type=click.IntRange(min=1), help="Threads (default: one for each core)."
 )
@@ -43,15 +42,21 @@ def _shard(_ctx: click.Context, _option: click.Parameter, written: str | None) -
     callback=_shard,
     help="Only the I-th of N parts of the cases; `merge` puts together what N processes computed.",
 )
+@click.option(
+    "--stop-after", metavar="N", type=click.IntRange(min=1), help="Stop when so many cases have failed."
+)
+@click.option("--dry-run", is_flag=True, help="Only estimate time, memory and files, by a sample of cases.")
 @set_option
 @click.pass_context
 def sweep(
     ctx: click.Context,
     study: Path,
-    out: Path,
+    out: Path | None,
     workers: int | None,
     resume: bool,
     shard: Shard | None,
+    stop_after: int | None,
+    dry_run: bool,
     values: Mapping[str, str],
 ) -> None:
     """Run all cases of a study and leave HDF5, CSV and PNG in DIR.
@@ -62,15 +67,22 @@ def sweep(
     from ..sweep.run import sweep_files, sweep_shard
 
     scene = load(study).with_values(values)
+    if dry_run:
+        _estimated(scene, out or Path(), workers)
+        return
+    if out is None:
+        raise click.MissingParameter(param_hint="--out", param_type="option", ctx=ctx)
     if shard:
         with _progress() as report:
-            done = sweep_shard(scene, out, shard, workers=workers, progress=report)
+            done = sweep_shard(scene, out, shard, workers=workers, progress=report, stop_after=stop_after)
         left = f"{done.missing} of the sweep are missing" if done.missing else "all shards are there"
         say(f"shard {shard}: {done.cases} cases, {done.computed} computed; {left}")
         return
     begun = time.perf_counter()
     with _progress() as report:
-        files = sweep_files(scene, out, workers=workers, resume=resume, progress=report, tell=say)
+        files = sweep_files(
+            scene, out, workers=workers, resume=resume, progress=report, tell=say, stop_after=stop_after
+        )
     _told(ctx, files, time.perf_counter() - begun)
 
 
@@ -95,6 +107,40 @@ def merge(ctx: click.Context, study: Path, out: Path, wait: bool, values: Mappin
     _told(ctx, files, time.perf_counter() - begun)
 
 
+def _estimated(scene: Scene, out: Path, workers: int | None) -> None:
+    """Tells what a sweep will take."""
+    from ..sweep.estimate import estimate
+    from ..sweep.size import readable
+
+    found = estimate(scene, workers=workers, out=out)
+    size = found.size
+    error = f" ± {_duration(found.error)}" if found.error == found.error else ""
+    lines = [
+        f"{size.cases} cases; a sample of {found.sample} was computed: {_counted(found.statuses)}",
+        f"  time    {_duration(found.seconds)}{error} of computing on {found.workers} threads",
+        f"  memory  about {readable(found.memory)}",
+        f"  files   {readable(size.result)} of HDF5 and {readable(size.table)} of CSV, and on the way "
+        f"{readable(found.way)} more; {readable(found.free)} are free in {out}",
+        *(f"  costly  {one.text}" for one in found.costliest),
+    ]
+    click.echo("\n".join(lines))
+
+
+# From so many of one unit on the next one is told, and what a unit is in s.
+_DURATIONS = ((120.0, 1.0, "s"), (7200.0, 60.0, "min"), (172_800.0, 3600.0, "h"))
+
+
+def _duration(seconds: float) -> str:
+    for most, one, unit in _DURATIONS:
+        if seconds < most:
+            return f"{seconds / one:.3g} {unit}"
+    return f"{seconds / 86400:.3g} days"
+
+
+def _counted(statuses: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {word}" for word, count in sorted(statuses.items()))
+
+
 def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
     """Draws and tells a result; exit status 1 if no case is ok."""
     from ..pictures.plots import plot
@@ -107,9 +153,10 @@ def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
         click.echo(click.style(f"{len(summary.rows)} of {summary.cases} cases", dim=True))
     if summary.drawn:
         click.echo(_statistics(files.result))
-    statuses = ", ".join(f"{count} {word}" for word, count in sorted(summary.statuses.items()))
-    rate = f", {files.computed / seconds:.0f} cases/s" if files.computed else ""
-    click.echo(f"\n{summary.cases} cases ({statuses}); {files.computed} computed in {seconds:.1f} s{rate}")
+    rate = f" in {seconds:.1f} s" + (f", {files.computed / seconds:.0f} cases/s" if files.computed else "")
+    click.echo(f"\n{summary.cases} cases ({_counted(summary.statuses)}); {files.computed} computed{rate}")
+    for one in summary.costliest:
+        click.echo(f"  costly: {one.text}")
     for path in (files.table, files.result, image):
         click.echo(f"  {path}")
     if not summary.statuses.get("ok"):

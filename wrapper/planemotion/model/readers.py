@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 Value: TypeAlias = str | int | float | bool
 # What a distribution is given by.
 # What a sweep has beside its grids.
-SWEEP_KEYS = ("zip", "design", "refine", "cases")
+SWEEP_KEYS = ("zip", "design", "refine", "cases", "retry")
 DISTRIBUTIONS: Mapping[str, tuple[str, ...]] = {
     "uniform": ("least", "greatest"),
     "normal": ("mean", "standard deviation"),
@@ -250,6 +250,7 @@ def read_sweep(written: Any) -> Any:
         "design": written.get("design"),
         "refine": written.get("refine"),
         "cases": written.get("cases"),
+        "retry": written.get("retry"),
     }
 
 

@@ -244,6 +244,16 @@ class Refine(Table):
     tolerance: Annotated[float, Field(gt=0, lt=1)] = 1e-3
 
 
+class Retry(Table):
+    """Settings with which a case of a sweep is computed once more if it failed."""
+
+    accuracy: Number | None = None
+    route: Text | None = None
+    max_cpu: Number | None = None
+    max_events: Annotated[int, Field(ge=1, le=MOST_COUNT)] | None = None
+    max_steps: Annotated[int, Field(ge=1, le=MOST_COUNT)] | None = None
+
+
 class At(Table):
     """An instant that is not an event: where an expression is extreme, or takes given values."""
 
@@ -375,4 +385,5 @@ class Sweep(Table):
     design: Design | None = None
     refine: Refine | None = None
     cases: Cases | None = None
+    retry: Retry | None = None
     zip: tuple[tuple[str, ...], ...] = ()

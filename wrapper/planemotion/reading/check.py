@@ -30,6 +30,7 @@ from ..model.tables import (
     Ground,
     Line,
     Refine,
+    Retry,
     Row,
     Solve,
     Spin,
@@ -46,6 +47,7 @@ NOT_BUILT: Mapping[str, Mapping[str, str]] = {
 _OF_SWEEP: Mapping[str, tuple[type[Table], str]] = {
     "design": (Design, "a design"),
     "refine": (Refine, "a refinement"),
+    "retry": (Retry, "a retry"),
 }
 
 # Unknown keys whose hint is more than another word.

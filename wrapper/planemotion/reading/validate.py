@@ -229,6 +229,8 @@ def _check_more(data: SceneData) -> None:
         if data.sweep.grids[name].listed:
             raise SceneError(f'"{name}" is listed in cases; a row of them moves together', path="sweep.zip")
     _check_design(data.sweep)
+    if data.sweep.retry is not None and not data.sweep.retry.model_fields_set:
+        raise SceneError("settings are wanted, such as { accuracy = 1e-12 }", path="sweep.retry")
     for index, name in enumerate((data.sweep.refine and data.sweep.refine.of) or ()):
         if name not in data.ask:
             raise SceneError(words.unknown(name, data.ask, "ask"), path=f"sweep.refine.of[{index}]")

@@ -18,7 +18,7 @@ from ..kinds import KINDS
 from ..model import readers
 from ..model.element import Kind, Table
 from ..model.listed import Cases
-from ..model.tables import Design, Find, Refine, Sweep, Swept
+from ..model.tables import Design, Find, Refine, Retry, Sweep, Swept
 from ..reading.scene import SceneData
 from .meaning import meaning_of, meanings
 
@@ -191,7 +191,7 @@ class _Definitions:
         """Grids by parameter, and zip."""
         zipped = _said(Sweep, "zip", {"type": "array", "items": _NAMES})
         grid = self._read(readers.read_swept, Swept)
-        tables: dict[str, type[Table]] = {"design": Design, "refine": Refine}
+        tables: dict[str, type[Table]] = {"design": Design, "refine": Refine, "retry": Retry}
         properties = {
             "zip": zipped,
             **{key: _said(Sweep, key, self.table(model)) for key, model in tables.items()},

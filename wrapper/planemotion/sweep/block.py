@@ -19,7 +19,8 @@ class Block:
     """Results of n consecutive cases.
 
     value[n, columns]: the asks one after the other, in their units; reason[n, asks]: enum pm_reason;
-    status[n]: enum pm_status, of the worst run; run_status, route[n, runs]; audit[n, runs, PM_AUDITS];
+    status[n]: enum pm_status, of the worst run; run_status, route[n, runs]; solves[n]: saddle-point systems
+    that were solved, as far as they are counted: what the case cost; audit[n, runs, PM_AUDITS];
     error[n, columns]: as value, and trust[n, PM_TRUSTS], of the worst run, have no columns where nothing is
     estimated; message: row -> text, of the cases that did not end well; seconds: time taken to compute them.
     """
@@ -29,6 +30,7 @@ class Block:
     status: Integers
     run_status: Integers
     route: Integers
+    solves: Integers
     audit: Floats
     error: Singles
     trust: Singles
@@ -37,6 +39,11 @@ class Block:
 
     def __len__(self) -> int:
         return len(self.status)
+
+    @staticmethod
+    def arrays() -> tuple[str, ...]:
+        """The names of the arrays, whose first dimension is the case."""
+        return tuple(_BLOCK_TYPES)
 
     @staticmethod
     def join(blocks: Sequence[Block]) -> Block:
@@ -81,6 +88,7 @@ _BLOCK_TYPES: dict[str, type[np.generic]] = {
     "status": np.int32,
     "run_status": np.int32,
     "route": np.int8,
+    "solves": np.int32,
     "audit": np.float64,
     "error": np.float32,  # as many digits as an error has
     "trust": np.float32,

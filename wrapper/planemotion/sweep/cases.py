@@ -17,9 +17,11 @@ from ..compile.asks import Asked
 from ..compile.flatten import FlatScene, flatten
 from .block import Block
 from .cache import Kept
+from .failures import Failures
 from .layout import RESERVED_NAMES, Coordinate, Layout, names_of
 from .manifest import CHECKSUMS
 from .plan import SweepPlan
+from .retry import Retrying, settings_of, told
 from .solver import Solver
 from .variants import Variants, asks_of_all, switches_of, variants_of
 
@@ -31,7 +33,7 @@ if TYPE_CHECKING:
 _MAX_CASES = 1 << 17
 _MAX_BYTES = 1 << 24
 # Of the part files and the manifest: another number, no resume.
-_FORMAT = 4
+_FORMAT = 5
 
 
 class Study:
@@ -46,6 +48,7 @@ class Study:
         self._scene = scene
         self.plan = plan
         self.workers = workers
+        self.failures = Failures(plan)
         self.runs = tuple(self.data.runs)
         self.kept = kept
         try:
@@ -63,10 +66,11 @@ class Study:
         )
         size = len(self.runs) or 1
         solvers = [
-            self._solver(one.data, self.flats[i * size : (i + 1) * size]) for i, one in enumerate(scenes)
+            self._with_retry(one, self._solver(one.data, self.flats[i * size : (i + 1) * size]))
+            for i, one in enumerate(scenes)
         ]
         self.asks = asks_of_all(solvers)
-        self.solver: Solver | Variants = solvers[0]
+        self.solver: Solver | Retrying | Variants = solvers[0]
         if columns:
             self.solver = Variants(columns, dict(zip(variants, solvers, strict=True)), self.asks)
         self.layout = self._layout()
@@ -84,6 +88,20 @@ class Study:
             told = ", ".join(f"{name} = {axes[name].text(i)}" for name, i in places.items())
             raise SceneError(f"with {told}: {error}") from None
         return made
+
+    def _with_retry(self, scene: WrittenScene, solver: Solver) -> Solver | Retrying:
+        """What computes failed cases once more, where the sweep says so."""
+        if self.data.sweep.retry is None:
+            return solver
+        settings = settings_of(self.data.sweep.retry)
+        try:
+            other = scene.with_values(settings)
+            flats = [flatten(other, run, history=False) for run in self.runs or (None,)]
+        except SceneError as error:
+            raise SceneError(
+                f"as {error.path} that is no setting: {error.reason}", path="sweep.retry"
+            ) from None
+        return Retrying(solver, self._solver(other.data, flats), told(settings))
 
     def _solver(self, data: SceneData, flats: Sequence[FlatScene]) -> Solver:
         return Solver(

@@ -91,6 +91,12 @@ class _Pacer:
                 first += size
 
 
+def keep(store: SweepStore | MemoryStore, study: Study, first: int, block: Block) -> None:
+    """Stores a block.  Raises StudyError if more cases have failed than is allowed."""
+    store.add(first, block)
+    study.failures.add(first, block)
+
+
 def fill(store: SweepStore | MemoryStore, study: Study, progress: Progress) -> None:
     """Computes what is missing: each chunk while the one before it is being stored."""
     pacer = _Pacer(study.workers, study.max_chunk, study.kept.chunk.get(study.workers))
@@ -100,12 +106,12 @@ def fill(store: SweepStore | MemoryStore, study: Study, progress: Progress) -> N
         for first, count in pacer.chunks(store.gaps()):
             call = _ChunkCall(study, first, count)
             if computed:
-                store.add(*computed)
+                keep(store, study, *computed)
             block = call.wait(lambda finished: progress(store.done + finished, study.plan.cases))
             pacer.observe(count, block.seconds)
             computed = first, block
         if computed:
-            store.add(*computed)
+            keep(store, study, *computed)
         study.kept.chunk[study.workers] = pacer.size
     except BaseException:
         if call:

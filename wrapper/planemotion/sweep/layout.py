@@ -14,6 +14,7 @@ There is one dimension per swept parameter (those of a zip share the first one's
     reason                   int per ask, enum pm_reason: why it is NaN
     message                  text of what was wrong, "" where all is well
     route, audit_energy, ... how each case was computed, and the evidence for it
+    solves                   systems of equations solved for it, as far as they are counted: its cost
 
 In a scene with [runs], route, audit and run_status have one more dimension, run.
 """
@@ -28,7 +29,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .._layout import PM_TRUST_EXCESS, PM_TRUST_MARGIN, pm_audit, pm_reason, pm_route, pm_status
+from .._layout import PM_OK, PM_TRUST_EXCESS, PM_TRUST_MARGIN, pm_audit, pm_reason, pm_route, pm_status
 from ..base.arrays import Floats
 from ..base.errors import StudyError
 from ..compile.asks import Asked
@@ -53,7 +54,18 @@ MESSAGE = "message"
 
 # Names in the result besides those of parameters and asks.
 RESERVED_NAMES = frozenset(
-    {"case", "status", "reason", "message", "route", "run", "run_status", "ask", *TRUST_WORDS.values()}
+    {
+        "case",
+        "status",
+        "reason",
+        "message",
+        "route",
+        "run",
+        "run_status",
+        "solves",
+        "ask",
+        *TRUST_WORDS.values(),
+    }
     | {f"audit_{word}" for word in AUDIT_WORDS.values()}
 )
 
@@ -171,6 +183,7 @@ class Layout:
         yield _flagged("status", grid, np.int32, "how the case ended", STATUS_WORDS)
         yield _flagged("reason", (*grid, "ask"), np.int8, "why there is no number", REASON_WORDS)
         yield _flagged("route", of_run, np.int8, "route that was taken", ROUTE_WORDS)
+        yield Variable("solves", grid, np.int32, {"units": "1", "long_name": "systems of equations solved"})
         for word in AUDIT_WORDS.values():
             attributes = {"units": "1", "long_name": f"relative residual of the {word}"}
             yield Variable(f"audit_{word}", of_run, np.float64, attributes)
@@ -193,6 +206,7 @@ class Layout:
         yield "status", block.status
         yield "reason", block.reason
         yield "route", block.route[:, per_run]
+        yield "solves", block.solves
         for index, word in AUDIT_WORDS.items():
             yield f"audit_{word}", block.audit[:, per_run, index]
         if self.runs:
@@ -204,7 +218,7 @@ class Tally:
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
-        self._cases, self._failed, self._seconds = 0, 0, 0.0
+        self._cases, self._failed, self._mended, self._seconds = 0, 0, 0, 0.0
         self._routes: set[int] = set()
 
     def add(self, block: Block) -> int:
@@ -212,6 +226,7 @@ class Tally:
         first = self._cases
         self._cases += len(block)
         self._failed += int(np.count_nonzero(block.status))
+        self._mended += sum(int(block.status[row] == PM_OK) for row in block.message)
         self._seconds += block.seconds
         self._routes.update(np.unique(block.route).tolist())
         return first
@@ -223,6 +238,7 @@ class Tally:
         return {
             "cases": np.int64(self._cases),
             "cases_not_ok": np.int64(self._failed),
+            "cases_mended": np.int64(self._mended),
             "routes": " ".join(ROUTE_WORDS[route] for route in sorted(self._routes)),
             "elapsed_seconds": self._seconds,
             "parameters": " ".join(coordinate.name for coordinate in self._layout.coordinates),

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from ..base.arrays import Floats
 from ..base.errors import SceneError
@@ -104,7 +105,11 @@ class SweepPlan:
 
     def block(self, first: int, count: int) -> Floats:
         """SI values [count, len(names)] of cases first .. first+count-1."""
-        place = np.unravel_index(np.arange(first, first + count, dtype=np.int64), self.shape)
+        return self.rows(np.arange(first, first + count, dtype=np.int64))
+
+    def rows(self, cases: npt.NDArray[np.int64]) -> Floats:
+        """SI values [n, len(names)] of cases [n] by number."""
+        place = np.unravel_index(cases, self.shape)
         columns = [axis.si[i] for group, i in zip(self.groups, place, strict=True) for axis in group]
         return np.stack(columns, axis=1)
 

@@ -52,7 +52,11 @@ class SweepFiles:
 
 
 def _study_of(
-    scene: WrittenScene, workers: Any, kept: Kept | None, executor: ExecutorLike | None = None
+    scene: WrittenScene,
+    workers: Any,
+    kept: Kept | None,
+    executor: ExecutorLike | None = None,
+    stop_after: int | None = None,
 ) -> Study:
     if workers is not None and not isinstance(workers, int):
         reason = 'a number of threads is wanted; a parameter of that name is swept by grids={"workers": ...}'
@@ -64,8 +68,12 @@ def _study_of(
             f"executor is {type(executor).__name__}; what has the method submit is wanted, such as a "
             "ProcessPoolExecutor or a dask.distributed.Client, or a function that makes it"
         )
+    if stop_after is not None and stop_after < 1:
+        raise StudyError(f"stop_after = {stop_after}: at least 1 is needed")
     usual = 1 if executor is not None else len(os.sched_getaffinity(0))
-    return Study(scene, plan_sweep(scene), workers or usual, kept or Kept())
+    study = Study(scene, plan_sweep(scene), workers or usual, kept or Kept())
+    study.failures.most = stop_after
+    return study
 
 
 def _fill(
@@ -102,6 +110,7 @@ def sweep_files(
     kept: Kept | None = None,
     tell: Callable[[str], None] = _silent,
     executor: ExecutorLike | None = None,
+    stop_after: int | None = None,
 ) -> SweepFiles:
     """Runs all cases of the scene's [sweep] and leaves OUT/ID.h5 and OUT/ID.csv.
 
@@ -110,13 +119,15 @@ def sweep_files(
     where an earlier sweep into `out` was ended; begins where there is none.  `progress(done, total)` is
     called some times a second in the calling thread.  `kept`: of earlier sweeps of the scene, over whatever
     grids.  `tell(text)` is called before anything is computed with how much it will be.  A case that fails
-    becomes NaN, status and message; the sweep goes on.
+    becomes NaN, status and message; the sweep goes on.  `stop_after`: until so many have failed.
 
     Raises SceneError (the scene cannot be swept), StudyError (the output cannot be used or written, or
-    belongs to something else; nothing half-written stays) and SweepInterrupted (Ctrl-C).
+    belongs to something else; nothing half-written stays; or so many cases have failed) and
+    SweepInterrupted (Ctrl-C).
     """
-    study = _study_of(scene, workers, kept, executor)
+    study = _study_of(scene, workers, kept, executor, stop_after)
     plan, folder, size = study.plan, Path(out), _size_of(study)
+    study.failures.hint = f"What was computed is saved in {folder}; go on with --resume"
     store = SweepStore(folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=resume)
     with store:
         missing = plan.cases - store.done
@@ -164,13 +175,14 @@ def sweep_shard(
     workers: int | None = None,
     progress: Progress | None = None,
     executor: ExecutorLike | None = None,
+    stop_after: int | None = None,
 ) -> ShardDone:
     """Runs the cases of one shard of the scene's [sweep] and leaves them as parts in OUT/ID.parts.
 
     Processes on any machines that see the folder may compute other shards meanwhile.  A shard that was ended
     goes on where it was.  `progress` is told the cases of all shards.  Raises as `sweep_files` does.
     """
-    study = _study_of(scene, workers, None, executor)
+    study = _study_of(scene, workers, None, executor, stop_after)
     _size_of(study)
     plan, folder = study.plan, Path(out)
     store = SweepStore(
@@ -242,6 +254,7 @@ def run_sweep(
     progress: Progress | None = None,
     kept: Kept | None = None,
     executor: ExecutorLike | None = None,
+    stop_after: int | None = None,
 ) -> xr.Dataset:
     """As `sweep_files`, but gives the labelled results: opened lazily from OUT/ID.h5 (its path is in
     `encoding["source"]`), or, without `out`, in memory, with no file left behind."""
@@ -249,10 +262,17 @@ def run_sweep(
         import xarray as xr
 
         files = sweep_files(
-            scene, out, workers=workers, resume=resume, progress=progress, kept=kept, executor=executor
+            scene,
+            out,
+            workers=workers,
+            resume=resume,
+            progress=progress,
+            kept=kept,
+            executor=executor,
+            stop_after=stop_after,
         )
         return xr.open_dataset(files.result, engine="h5netcdf")
-    study = _study_of(scene, workers, kept, executor)
+    study = _study_of(scene, workers, kept, executor, stop_after)
     check_memory(_size_of(study))
     store = MemoryStore(study.plan.cases)
     _fill(store, study, executor, progress or _nobody)

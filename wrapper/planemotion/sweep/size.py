@@ -16,7 +16,7 @@ from .layout import Layout
 # Bytes of a number in the table, with its comma: with all its digits, and with those that an error has.
 _EXACT, _SHORT = 19, 9
 # The parts are there until the whole result is; in memory the blocks are there until they are joined.
-_TIMES = 2
+EXTRA = 2
 _UNITS = ("bytes", "kB", "MB", "GB", "TB", "PB", "EB")
 
 
@@ -68,7 +68,7 @@ def check_cases(size: Size, most: int, file: str | None) -> None:
 def check_disk(size: Size, folder: Path) -> None:
     """Raises StudyError if the disk of `folder`, which need not exist yet, has no room for the result."""
     place = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
-    needed, free = _TIMES * size.result + size.table, shutil.disk_usage(place).free
+    needed, free = EXTRA * size.result + size.table, shutil.disk_usage(place).free
     if needed > free:
         raise StudyError(
             f"{folder}: {size.text}: {readable(needed)} are needed on the way, and "
@@ -80,7 +80,7 @@ def check_disk(size: Size, folder: Path) -> None:
 def check_memory(size: Size) -> None:
     """Raises StudyError if the results do not fit into the memory of this machine."""
     there = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    needed = _TIMES * size.result
+    needed = EXTRA * size.result
     if needed > there:
         raise StudyError(
             f"{size.cases} cases need {readable(needed)} of memory, and this machine has {readable(there)}; "

@@ -13,7 +13,15 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from .._layout import PM_AUDITS, PM_COUNT_ROUTE, PM_OK, PM_TRUST_EXCESS, PM_TRUST_MARGIN, PM_TRUSTS
+from .._layout import (
+    PM_AUDITS,
+    PM_COUNT_ROUTE,
+    PM_COUNT_SOLVES,
+    PM_OK,
+    PM_TRUST_EXCESS,
+    PM_TRUST_MARGIN,
+    PM_TRUSTS,
+)
 from ..base.arrays import Floats, Singles
 from ..compile.asks import Asked
 from ..compile.flatten import FlatScene
@@ -92,6 +100,7 @@ class Solver:
             status=status,
             run_status=run_status,
             route=np.stack([result.count[:, PM_COUNT_ROUTE] for result in results], axis=1),
+            solves=_total([result.count[:, PM_COUNT_SOLVES] for result in results]),
             audit=np.stack([result.audit[:, :PM_AUDITS] for result in results], axis=1),
             error=_side_by_side(error if self.estimate else [], len(status)).astype(np.float32),
             trust=_worst_trust([result.trust for result in results], self.estimate),
@@ -121,6 +130,11 @@ def _worst(run_status: npt.NDArray[np.int32]) -> npt.NDArray[np.int32]:
     for status in run_status.T:
         worst = np.where((worst == PM_OK) | ((worst > PM_OK) & (status < PM_OK)), status, worst)
     return worst
+
+
+def _total(counts: Sequence[npt.NDArray[np.int64]]) -> npt.NDArray[np.int32]:
+    """The sum of the counts [ncase] of all runs, no greater than what is kept."""
+    return np.minimum(np.sum(counts, axis=0), np.iinfo(np.int32).max).astype(np.int32)
 
 
 def _side_by_side(columns: Sequence[Floats], cases: int) -> Floats:

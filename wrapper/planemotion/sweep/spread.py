@@ -19,7 +19,7 @@ from typing import Any, Protocol, TypeAlias, TypeGuard
 
 from ..base.errors import PlanemotionError, StudyError
 from .cases import Study
-from .chunks import CHUNK_SECONDS, FIRST_CHUNK, GROWTH, POLL, Progress
+from .chunks import CHUNK_SECONDS, FIRST_CHUNK, GROWTH, POLL, Progress, keep
 from .memory import MemoryStore
 from .store import SweepStore
 from .task import Recipe, compute_block
@@ -213,7 +213,7 @@ class _Work:
         except BaseException as error:  # those of asyncio are no Exception
             self._lose(task, number, error)
             return
-        self._store.add(task.first, block)
+        keep(self._store, self._study, task.first, block)
         spent = time.perf_counter() - begun
         self._storing = spent if not self._storing else 0.9 * self._storing + 0.1 * spent
         self._pace(len(block), block.seconds)

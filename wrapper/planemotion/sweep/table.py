@@ -22,6 +22,7 @@ from .._layout import PM_TRUST_MARGIN
 from ..base.arrays import Floats
 from ..base.files import appearing, disk_errors
 from ..engine.words import spelled
+from .costs import Costly, Costs
 from .layout import REASON_WORDS, STATUS_WORDS, TRUST_WORDS, error_name
 from .netcdf import hyperslabs, opened
 from .plan import CASE
@@ -104,6 +105,7 @@ class _Columns:
         self._grid: tuple[str, ...] = status.dimensions
         self.shape: tuple[int, ...] = status.shape
         self.cases = math.prod(self.shape)
+        self._mended = bool(file.attrs.get("cases_mended", 0))  # by a second computation, which is told
         self.drawn = self._grid == (CASE,) and "design" in file.attrs
         self._asks: list[str] = file["ask"][...].tolist()
         self._parameters: dict[str, tuple[int, Floats]] = {}  # axis of the grid, values along it
@@ -180,6 +182,20 @@ class _Columns:
             for status in self._read("status", first, count).tolist()
         ]
 
+    def solves(self, first: int, count: int) -> npt.NDArray[Any]:
+        """Systems of equations solved for these cases."""
+        return self._read("solves", first, count)
+
+    def values_of(self, case: int) -> str:
+        """The parameters of a case for people: "d = 1.02 in"."""
+        values = next(self.rows(case, 1))[: len(self._parameters)]
+        told = []
+        for head, value in zip(self.header, values, strict=False):
+            name, _, unit = head.partition(" ")
+            shown = value if isinstance(value, str) else f"{value:.6g}"
+            told.append(f"{name} = {shown} {unit.strip('[]').removeprefix('1')}".rstrip())
+        return ", ".join(told)
+
     def _is_list(self, key: str) -> bool:
         return len(self._variables[key].dimensions) > len(self._grid)
 
@@ -190,7 +206,7 @@ class _Columns:
     def _reasons(self, first: int, count: int) -> list[str]:
         """Why something is missing: what was wrong with the case, or else with each ask."""
         # Cases that ended well have no message, and texts are slow to read.
-        has_texts = self._read("status", first, count).any()
+        has_texts = self._mended or self._read("status", first, count).any()
         texts: list[str] = self._read("message", first, count).tolist() if has_texts else [""] * count
         reasons = self._read("reason", first, count)
         for row in np.flatnonzero(reasons.any(axis=1)).tolist():
@@ -212,13 +228,15 @@ class _Columns:
 @dataclass(frozen=True)
 class Summary:
     """What a terminal shows of a result: some rows of the table, and how many cases ended how (in words);
-    `drawn`: a design has drawn the cases, and there is no grid beside."""
+    `drawn`: a design has drawn the cases, and there is no grid beside; `costliest`: cases that cost far more
+    than the others."""
 
     header: tuple[str, ...]
     rows: tuple[tuple[Any, ...], ...]
     cases: int
     statuses: Mapping[str, int]
     drawn: bool = False
+    costliest: tuple[Costly, ...] = ()
 
 
 def summarise(result: Path, rows: int = 11) -> Summary:
@@ -229,10 +247,13 @@ def summarise(result: Path, rows: int = 11) -> Summary:
     with opened(result) as file:
         columns = _Columns(file)
         statuses: Counter[str] = Counter()
+        costs = Costs()
         for first, count in columns.slices():
             statuses.update(columns.statuses(first, count))
+            costs.add(first, columns.solves(first, count))
         steps = max(1, min(rows, columns.cases) - 1)
         shown = sorted({i * (columns.cases - 1) // steps for i in range(steps + 1)})
         picked = tuple(columns.for_people(row) for case in shown for row in columns.rows(case, 1))
         head = columns.for_people(columns.header)
-        return Summary(head, picked, columns.cases, dict(statuses), columns.drawn)
+        costliest = costs.found(columns.values_of)
+        return Summary(head, picked, columns.cases, dict(statuses), columns.drawn, costliest)

@@ -12,6 +12,7 @@ from ..base.arrays import Floats
 from ..base.errors import StudyError
 from ..base.versions import row_versions
 from .block import Block
+from .retry import Retrying
 from .solver import Solver
 from .variants import Variants
 
@@ -27,7 +28,7 @@ class Recipe:
     solver: bytes
 
     @staticmethod
-    def of(solver: Solver | Variants) -> Recipe:
+    def of(solver: Solver | Retrying | Variants) -> Recipe:
         """What is sent to the workers."""
         return Recipe(tuple(row_versions().items()), pickle.dumps(solver))
 
@@ -44,7 +45,7 @@ def compute_block(recipe: Recipe, swept: Floats, threads: int, attempt: int) -> 
 
 
 @lru_cache(_KEPT)
-def _solver(recipe: Recipe) -> Solver | Variants:
+def _solver(recipe: Recipe) -> Solver | Retrying | Variants:
     here = row_versions()
     differ = [f"{name} {here.get(name, 'missing')} and not {text}" for name, text in recipe.versions
               if here.get(name) != text]  # fmt: skip
@@ -53,5 +54,5 @@ def _solver(recipe: Recipe) -> Solver | Variants:
             f"a worker has {', '.join(differ)}, so its bits may be others; "
             "install the same build of planemotion everywhere"
         )
-    solver: Solver | Variants = pickle.loads(recipe.solver)
+    solver: Solver | Retrying | Variants = pickle.loads(recipe.solver)
     return solver

@@ -23,6 +23,7 @@ from ..geometry.parameters import Parameters, Reader
 from ..reading.scene import SceneData
 from .block import Block
 from .plan import SweepPlan
+from .retry import Retrying
 from .solver import Solver
 
 # Each has tables of its own.
@@ -69,7 +70,7 @@ class Variants:
     """
 
     columns: tuple[int, ...]
-    solvers: Mapping[tuple[float, ...], Solver]
+    solvers: Mapping[tuple[float, ...], Solver | Retrying]
     asks: tuple[Asked, ...]
 
     def compute(
@@ -98,7 +99,7 @@ class Variants:
         )
 
 
-def asks_of_all(solvers: Sequence[Solver]) -> tuple[Asked, ...]:
+def asks_of_all(solvers: Sequence[Solver | Retrying]) -> tuple[Asked, ...]:
     """The asks of all, each as long as it is anywhere."""
     asks: dict[str, Asked] = {}
     for solver in solvers:
@@ -112,7 +113,7 @@ def asks_of_all(solvers: Sequence[Solver]) -> tuple[Asked, ...]:
     return tuple(asks.values())
 
 
-def _spread(block: Block, solver: Solver, asks: Sequence[Asked]) -> Block:
+def _spread(block: Block, solver: Solver | Retrying, asks: Sequence[Asked]) -> Block:
     """The block with columns for all asks."""
     own: dict[str, tuple[int, int, int]] = {}
     place = 0
@@ -137,10 +138,9 @@ def _spread(block: Block, solver: Solver, asks: Sequence[Asked]) -> Block:
 
 def _sorted(block: Block, order: npt.NDArray[np.int64]) -> Block:
     """Its cases in another order: row i is the one that stood at order[i]."""
-    names = ("value", "reason", "status", "run_status", "route", "audit", "error", "trust")
     place = np.empty(len(order), np.int64)
     place[order] = np.arange(len(order))
-    arrays = {name: getattr(block, name)[order] for name in names}
+    arrays = {name: getattr(block, name)[order] for name in Block.arrays()}
     return replace(
         block, **arrays, message={int(place[row]): text for row, text in sorted(block.message.items())}
     )
