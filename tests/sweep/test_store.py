@@ -297,7 +297,7 @@ def test_a_list_over_a_grid_has_its_values(tmp_path: Path) -> None:
     write_result(tmp_path / "r.h5", layout(3, at=("deg", np.array([30.0, -90.0]))), [block(0, 3)], {})
     with xr.open_dataset(tmp_path / "r.h5", engine="h5netcdf") as data:
         assert data.w.sel(w_at=-90).values.tolist() == [0.2, 1.2, 2.2]
-        assert data.w_at.attrs["units"] == "deg"
+        assert data.w_at.attrs["unit"] == "deg"
 
 
 def test_a_result_needs_all_cases(tmp_path: Path) -> None:

@@ -432,6 +432,9 @@ class Scene:
         progress: Any = None,
         executor: Any = None,
         stop_after: int | None = None,
+        format: str = "hdf5",
+        table: str = "csv",
+        chunk: int | None = None,
         grids: Mapping[str, Any] | None = None,
         **more_grids: Any,
     ) -> Any:
@@ -444,19 +447,20 @@ class Scene:
         array([ 7.5, 30. , 52.5, 75. ])
 
         A grid is a list, an array, an array of quantities of pint, or a dict as in a file.
-
         `grids`: the same as a dict, also of parameters with the name of an option, such as "workers".  See
-        `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress`, `stop_after` and what it returns.
+        `sweep.run.run_sweep` for `out`, `workers`, `resume`, `progress`, `stop_after` and what it returns,
+        `sweep.forms.Form` for `format`, `table` and `chunk` of the files.
 
         `executor`: what computes instead of threads of this process: anything that has `submit` as the
         executors of `concurrent.futures` have it (a process pool, a `dask.distributed.Client`,
         `mpi4py.futures`), or a function that makes one, which is called again when its workers have died.
         """
+        from .sweep.forms import Form
         from .sweep.run import run_sweep
 
         chosen = {**(grids or {}), **more_grids}
-        table = {**self._raw, "sweep": plain(chosen)}
-        scene = type(self).from_table(table, file=self.file) if chosen else self
+        raw = {**self._raw, "sweep": plain(chosen)}
+        scene = type(self).from_table(raw, file=self.file) if chosen else self
         return run_sweep(
             scene,
             out=out,
@@ -466,6 +470,7 @@ class Scene:
             kept=self._kept,
             executor=executor,
             stop_after=stop_after,
+            form=Form(format, table, chunk),
         )
 
     def sweep_shard(

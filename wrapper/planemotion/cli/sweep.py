@@ -29,6 +29,11 @@ def _shard(_ctx: click.Context, _option: click.Parameter, written: str | None) -
     return Shard.read(written) if written is not None else None
 
 
+_table_option = click.option(
+    "--table", metavar="WORD", default="csv", help="The table as csv (default) or parquet, or none."
+)
+
+
 @click.command()
 @click.argument("study", type=a_path)
 @click.option("--out", metavar="DIR", type=a_path, help="Folder of the result; it is made if need be.")
@@ -43,6 +48,11 @@ def _shard(_ctx: click.Context, _option: click.Parameter, written: str | None) -
     help="Only the I-th of N parts of the cases; `merge` puts together what N processes computed.",
 )
 @click.option(
+    "--format", "result", metavar="WORD", default="hdf5", help="The result as hdf5 (default) or zarr."
+)
+@click.option("--chunk", metavar="N", type=click.IntRange(min=1), help="Cases of a chunk of Zarr.")
+@_table_option
+@click.option(
     "--stop-after", metavar="N", type=click.IntRange(min=1), help="Stop when so many cases have failed."
 )
 @click.option("--dry-run", is_flag=True, help="Only estimate time, memory and files, by a sample of cases.")
@@ -55,6 +65,9 @@ def sweep(
     workers: int | None,
     resume: bool,
     shard: Shard | None,
+    result: str,
+    chunk: int | None,
+    table: str,
     stop_after: int | None,
     dry_run: bool,
     values: Mapping[str, str],
@@ -64,8 +77,10 @@ def sweep(
     A case that fails becomes a gap with a status and does not stop the others. Ctrl-C keeps what is done.
     """
     from ..file import load
+    from ..sweep.forms import Form
     from ..sweep.run import sweep_files, sweep_shard
 
+    form = Form(result, table, chunk)
     scene = load(study).with_values(values)
     if dry_run:
         _estimated(scene, out or Path(), workers)
@@ -74,14 +89,23 @@ def sweep(
         raise click.MissingParameter(param_hint="--out", param_type="option", ctx=ctx)
     if shard:
         with _progress() as report:
-            done = sweep_shard(scene, out, shard, workers=workers, progress=report, stop_after=stop_after)
+            done = sweep_shard(
+                scene, out, shard, workers=workers, progress=report, stop_after=stop_after, form=form
+            )
         left = f"{done.missing} of the sweep are missing" if done.missing else "all shards are there"
         say(f"shard {shard}: {done.cases} cases, {done.computed} computed; {left}")
         return
     begun = time.perf_counter()
     with _progress() as report:
         files = sweep_files(
-            scene, out, workers=workers, resume=resume, progress=report, tell=say, stop_after=stop_after
+            scene,
+            out,
+            workers=workers,
+            resume=resume,
+            progress=report,
+            tell=say,
+            stop_after=stop_after,
+            form=form,
         )
     _told(ctx, files, time.perf_counter() - begun)
 
@@ -90,9 +114,12 @@ def sweep(
 @click.argument("study", type=a_path)
 @click.option("--out", required=True, metavar="DIR", type=a_path, help="Folder of the shards.")
 @click.option("--wait", is_flag=True, help="Wait until all shards are computed, and show how far they are.")
+@_table_option
 @set_option
 @click.pass_context
-def merge(ctx: click.Context, study: Path, out: Path, wait: bool, values: Mapping[str, str]) -> None:
+def merge(
+    ctx: click.Context, study: Path, out: Path, wait: bool, table: str, values: Mapping[str, str]
+) -> None:
     """Make one result of the shards of a study that are in DIR.
 
     It leaves what `sweep` would have left, with the same bytes in the table, and removes the shards.
@@ -103,7 +130,7 @@ def merge(ctx: click.Context, study: Path, out: Path, wait: bool, values: Mappin
     scene = load(study).with_values(values)
     begun = time.perf_counter()
     with _progress() as report:
-        files = merge_shards(scene, out, wait=wait, progress=report, tell=say)
+        files = merge_shards(scene, out, wait=wait, progress=report, tell=say, table=table)
     _told(ctx, files, time.perf_counter() - begun)
 
 
@@ -158,7 +185,8 @@ def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
     for one in summary.costliest:
         click.echo(f"  costly: {one.text}")
     for path in (files.table, files.result, image):
-        click.echo(f"  {path}")
+        if path.exists():
+            click.echo(f"  {path}")
     if not summary.statuses.get("ok"):
         say("no case came to its end; the column reason of the table says why", error=True)
         ctx.exit(FAILED)
@@ -166,12 +194,11 @@ def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
 
 def _statistics(result: Path) -> str:
     """Mean, deviation and quantiles of the answers, with their standard errors."""
-    import xarray as xr
-
+    from ..pictures.panels import open_sweep
     from ..report.aligned import Column, aligned
     from ..sweep.frames import QUANTILES, statistics
 
-    with xr.open_dataset(result, engine="h5netcdf") as dataset:
+    with open_sweep(result) as dataset:
         table = statistics(dataset)
     names = ["mean", "deviation", *(f"q{round(100 * part):02d}" for part in QUANTILES)]
     rows = [

@@ -18,7 +18,8 @@ def check(ctx: click.Context, path: Path, values: Mapping[str, str]) -> None:
     """Read and assemble a scene without running it, or verify a result.
 
     Of a scene it tells degrees of freedom, redundant rows and how far the assembly moved what is drawn. Of
-    an .h5 file that `sweep` or `run --history` wrote, or of a folder of them, whether it is as written.
+    an .h5 file that `sweep` or `run --history` wrote, a .zarr store, or a folder of them, whether it is as
+    written.
     """
     from ..file import load
     from ..report import explain as explanations

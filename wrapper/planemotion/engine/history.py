@@ -25,6 +25,7 @@ import numpy.typing as npt
 from ..base.arrays import Floats
 from ..base.bounded import require_file
 from ..base.errors import StudyError
+from ..language.cf import cf_units, unit_of
 from .kernel import status_name
 from .outcome import History
 
@@ -48,7 +49,7 @@ def dataset(recorded: History, attributes: Mapping[str, Any]) -> xarray.Dataset:
     import xarray
 
     variables = {
-        name: ("t", values, {"units": _unit(name, recorded.units[name])})
+        name: ("t", values, cf_units(_unit(name, recorded.units[name])))
         for name, values in recorded.columns.items()
     }
     flags = {"flag_values": list(_MARKS), "flag_meanings": " ".join(_MARKS.values())}
@@ -130,7 +131,7 @@ def _write_run(group: Any, recorded: History) -> None:
     mark.attrs.update(flag_values=np.array(list(_MARKS), np.int8), flag_meanings=" ".join(_MARKS.values()))
     for address, values in recorded.columns.items():
         variable = group.create_variable(address, ("t",), "f8", data=values, fillvalue=np.nan)
-        variable.attrs["units"] = _unit(address, recorded.units[address])
+        variable.attrs.update(cf_units(_unit(address, recorded.units[address])))
     group.attrs.update(status=np.int32(recorded.status), status_word=status_name(recorded.status))
 
 
@@ -170,7 +171,7 @@ def read(path: Path) -> tuple[dict[str, History], dict[str, Any]]:
 def _read_run(group: Any) -> History:
     named = {name: item for name, item in group.items() if name not in (_TIME, _MARK, _EVENT, "letter")}
     columns = {name: item[...].astype(np.float64) for name, item in named.items()}
-    units = {name: str(item.attrs["units"]) for name, item in named.items()}
+    units = {name: unit_of(item.attrs) for name, item in named.items()}
     status = int(np.ravel(group.attrs["status"])[0])
     mark = group[_MARK][...].astype(np.int32)
     events = tuple(b"".join(letters).decode("utf-8", "replace") for letters in group[_EVENT][...])

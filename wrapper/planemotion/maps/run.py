@@ -23,6 +23,7 @@ from ..base.arrays import Ints
 from ..base.errors import SceneError
 from ..base.versions import versions
 from ..compile.asks import Asked
+from ..language.cf import cf_units
 from ..model.tables import Refine
 from ..sweep.cache import Kept
 from ..sweep.cases import Study
@@ -157,7 +158,7 @@ def _add_cases(work: _Map, data: dict[str, xr.Variable]) -> None:
 
     places, numbers = work.look.places(), work.look.outcomes()
     for k, side in enumerate(work.sides):
-        units = {"units": side.axis.unit or "1", "long_name": f"parameter {side.axis.name}"}
+        units = {**cf_units(side.axis.unit), "long_name": f"parameter {side.axis.name}"}
         data[side.axis.name] = xr.Variable("case", side.value(places[:, k]), units)
     data["case_outcome"] = xr.Variable("case", numbers, {"long_name": "number of the outcome"})
     statuses = np.array(work.outcomes.statuses(), np.int32)[numbers]
@@ -178,7 +179,7 @@ def _add_ragged(
     data[f"{of}_{count}"] = xr.Variable(of, lengths, {"sample_dimension": point})
     flat = np.array([one for points in lists for one in points]).reshape(-1, 2)
     for k, side in enumerate(work.sides):
-        units = {"units": side.axis.unit or "1"}
+        units = cf_units(side.axis.unit)
         data[f"{point}_{side.axis.name}"] = xr.Variable(point, side.value(flat[:, k]), units)
 
 

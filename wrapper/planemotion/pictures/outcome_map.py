@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..base.arrays import Floats
+from ..language.cf import unit_of
 from ..pen.page import INK, head
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ def _colours(count: int) -> list[tuple[float, ...]]:
 def _finish(place: Axes, dataset: xr.Dataset, names: list[str]) -> None:
     logarithmic = str(dataset.attrs.get("logarithmic", "")).split()
     for which, name in zip("xy", names, strict=True):
-        unit = str(dataset[name].attrs.get("units", "1"))
+        unit = unit_of(dataset[name].attrs)
         values = dataset[name].values
         set_ = {"label": getattr(place, f"set_{which}label"), "lim": getattr(place, f"set_{which}lim")}
         set_["label"](name if unit == "1" else f"{name} [{unit}]")

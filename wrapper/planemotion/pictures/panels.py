@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from ..base.arrays import Floats
 from ..base.errors import StudyError
+from ..language.cf import unit_of
 from ..pen.page import FAMILY
 from .condensed import condensed, middles
 
@@ -31,10 +32,11 @@ def open_sweep(path: Path) -> xr.Dataset:
     """The result of a sweep, lazily.  Raises StudyError if it is none."""
     import xarray as xr
 
-    if not path.is_file():
+    is_zarr = path.suffix == ".zarr" and path.is_dir()
+    if not path.is_file() and not is_zarr:
         raise StudyError(f"{path}: there is no such file")
     try:
-        dataset = xr.open_dataset(path, engine="h5netcdf")
+        dataset = xr.open_dataset(path, engine="zarr" if is_zarr else "h5netcdf")
     except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
         raise StudyError(f"{path}: is no result of a sweep or a run: {error}") from error
     if "parameters" not in dataset.attrs or "status" not in dataset:
@@ -205,7 +207,7 @@ def words_of(coordinate: xr.DataArray) -> tuple[str, ...]:
 
 def text_of(coordinate: xr.DataArray, i: int) -> str:
     """One value of what is swept: "0.05 m", "newton"."""
-    words, unit = words_of(coordinate), str(coordinate.attrs.get("units", "1"))
+    words, unit = words_of(coordinate), unit_of(coordinate.attrs)
     if words:
         return words[i]
     return f"{float(coordinate.values[i]):g}" + (f" {unit}" if unit != "1" else "")
@@ -220,7 +222,7 @@ def _is_logarithmic(values: Floats) -> bool:
 
 
 def _with_unit(name: str, variable: xr.DataArray) -> str:
-    unit = str(variable.attrs.get("units", "1"))
+    unit = unit_of(variable.attrs)
     return name if unit in ("", "1") else f"{name} [{unit}]"
 
 

@@ -33,10 +33,15 @@ def plot(
     """
     source = Path(result)
     target = source.with_suffix(".png") if out is None else Path(out)
-    require_sound(source)
+    is_zarr = source.suffix == ".zarr"
+    if not is_zarr:
+        require_sound(source)
     require_theme(theme)
     with style(theme):
-        if is_history(source):
+        if is_zarr:
+            with open_sweep(source) as dataset:
+                figure = plot_sweep(dataset)
+        elif is_history(source):
             runs, attributes = read_history(source)
             figure = plot_history(runs, str(attributes.get("title") or attributes.get("id") or "History"))
         elif is_map(source):

@@ -13,6 +13,7 @@ from ..kinds import KINDS
 from ..kinds.base import Bearing
 from ..model import tables
 from ..model.element import Element, Kind, Table
+from ..model.listed import Cases
 from ..model.tabulated import Tabulated
 from ..reading.scene import SceneData
 from .meaning import Meaning, meaning_of, meanings
@@ -27,7 +28,16 @@ _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
     "Parts": (tables.Part,),
     "Events and questions": (tables.Event, tables.Action, tables.Ask, tables.At),
     "Studies and settings": (
-        *(tables.Find, tables.Sweep, tables.Swept, tables.Design, tables.Refine, tables.Grid),
+        *(
+            tables.Find,
+            tables.Sweep,
+            tables.Swept,
+            tables.Design,
+            Cases,
+            tables.Retry,
+            tables.Refine,
+            tables.Grid,
+        ),
         tables.Solve,
     ),
 }

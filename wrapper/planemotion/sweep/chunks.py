@@ -7,15 +7,14 @@ same parameter values gives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from threading import Thread
 
 import numpy as np
 
 from .block import Block
 from .cases import Study
-from .memory import MemoryStore
-from .store import SweepStore
+from .takes import Takes
 
 # Seconds of work per chunk: what a kill may cost, and far more than storing a part takes.
 CHUNK_SECONDS = 0.5
@@ -81,29 +80,29 @@ class _Pacer:
         rounds = max(1, round(min(goal, self._size * GROWTH) / self._workers))
         self._size = min(rounds * self._workers, self._most)
 
-    def chunks(self, gaps: Sequence[tuple[int, int]]) -> Iterator[tuple[int, int]]:
+    def chunks(self, store: Takes) -> Iterator[tuple[int, int]]:
         """First case and number of cases of each chunk; its size is chosen when it is asked for."""
-        for first, count in gaps:
+        for first, count in store.gaps():
             end = first + count
             while first < end:
-                size = min(self._size, end - first)
+                size = store.fit(first, self._size, end)
                 yield first, size
                 first += size
 
 
-def keep(store: SweepStore | MemoryStore, study: Study, first: int, block: Block) -> None:
+def keep(store: Takes, study: Study, first: int, block: Block) -> None:
     """Stores a block.  Raises StudyError if more cases have failed than is allowed."""
     store.add(first, block)
     study.failures.add(first, block)
 
 
-def fill(store: SweepStore | MemoryStore, study: Study, progress: Progress) -> None:
+def fill(store: Takes, study: Study, progress: Progress) -> None:
     """Computes what is missing: each chunk while the one before it is being stored."""
     pacer = _Pacer(study.workers, study.max_chunk, study.kept.chunk.get(study.workers))
     computed: tuple[int, Block] | None = None
     call: _ChunkCall | None = None
     try:
-        for first, count in pacer.chunks(store.gaps()):
+        for first, count in pacer.chunks(store):
             call = _ChunkCall(study, first, count)
             if computed:
                 keep(store, study, *computed)

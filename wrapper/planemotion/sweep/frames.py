@@ -10,6 +10,7 @@ import numpy as np
 
 from ..base.arrays import Floats
 from ..engine.words import words
+from ..language.cf import unit_of
 from .layout import REASON_WORDS, STATUS_WORDS
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ def statistics(dataset: xr.Dataset) -> pd.DataFrame:
         variable = dataset[key]
         if variable.dims == ("case",) and "letters" not in variable.attrs:
             known = variable.values[np.isfinite(variable.values)]
-            rows[key] = {"unit": str(variable.attrs["units"]), "cases": len(known), **_statistics(known)}
+            rows[key] = {"unit": unit_of(variable.attrs), "cases": len(known), **_statistics(known)}
     return pd.DataFrame.from_dict(rows, orient="index")
 
 

@@ -2,7 +2,8 @@
 
 There is one dimension per swept parameter (those of a zip share the first one's), on which stand
 
-    the swept parameters     coordinates, in the unit of the grid
+    the swept parameters     coordinates, in the unit of the grid: `units` has it as CF and UDUNITS do, and
+                             `unit`, where that is another word, as scenes do (degree, deg)
     each ask                 float, in its unit, NaN without an answer; a list has one more dimension,
                              KEY_at (the values of its grid) or KEY_number.  An answer which events happened
                              is a whole number; its attribute `letters` names them, and `words` spells it
@@ -33,6 +34,7 @@ from .._layout import PM_OK, PM_TRUST_EXCESS, PM_TRUST_MARGIN, pm_audit, pm_reas
 from ..base.arrays import Floats
 from ..base.errors import StudyError
 from ..compile.asks import Asked
+from ..language.cf import cf_units
 from .block import Block
 
 
@@ -154,13 +156,13 @@ class Layout:
                 texts = np.array(item.words, dtype=object)
                 yield Variable(item.name, (item.dim,), None, {"long_name": f"option {item.name}"}, texts)
                 continue
-            attributes = {"units": item.unit or "1", "long_name": f"parameter {item.name}"}
+            attributes = {**cf_units(item.unit), "long_name": f"parameter {item.name}"}
             yield Variable(item.name, (item.dim,), np.float64, attributes, item.values)
         yield _texts("ask", [ask.key for ask in self.asks])
         for ask in self.asks:
             unit, values = ask.at or ("", np.arange(1.0, ask.count + 1))
             for dim in list_dims(ask):
-                yield Variable(dim, (dim,), np.float64, {"units": unit or "1"}, values)
+                yield Variable(dim, (dim,), np.float64, cf_units(unit), values)
         if self.runs:
             yield _texts("run", self.runs)
 
@@ -169,14 +171,14 @@ class Layout:
         grid = tuple(name for name, _ in self.dims)
         of_run = (*grid, "run") if self.runs else grid
         for ask in self.asks:
-            attributes = {"units": ask.unit or "1", "long_name": ask.text}
+            attributes = {**cf_units(ask.unit), "long_name": ask.text}
             if ask.letters:
                 attributes["letters"] = " ".join(ask.letters)
             if self.estimate:
                 attributes["ancillary_variables"] = error_name(ask.key)
             yield Variable(ask.key, (*grid, *list_dims(ask)), np.float64, attributes)
         for ask in self.asks if self.estimate else ():
-            attributes = {"units": ask.unit or "1", "long_name": f"estimated absolute error of {ask.key}"}
+            attributes = {**cf_units(ask.unit), "long_name": f"estimated absolute error of {ask.key}"}
             yield Variable(error_name(ask.key), (*grid, *list_dims(ask)), np.float32, attributes)
         for column, word in TRUST_WORDS.items() if self.estimate else ():
             yield Variable(word, grid, np.float32, {"units": "1", "long_name": _TRUST_TEXTS[column]})

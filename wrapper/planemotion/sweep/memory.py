@@ -36,6 +36,10 @@ class MemoryStore:
         """First case and number of cases of what is missing at the beginning: all."""
         return [(0, self.cases)] if self.cases else []
 
+    def fit(self, first: int, count: int, end: int) -> int:
+        """How many cases from `first` on, `count` and at most up to `end`, are one block."""
+        return min(count, end - first)
+
     def add(self, first: int, block: Block) -> None:
         """Keeps the results of the cases from `first` on."""
         self._blocks[first] = block

@@ -22,6 +22,7 @@ from ..base.checksums import seal
 from ..base.errors import StudyError
 from .block import Block
 from .layout import MESSAGE, Layout, Tally
+from .zarr_file import SUFFIX, opened_zarr
 
 # Elements of a chunk of the messages: what is never written, the cases that ended well, takes no space.
 _MESSAGE_CHUNK = 4096
@@ -157,8 +158,13 @@ def _write_box(file: Any, layout: Layout, box: tuple[slice, ...], block: Block, 
 
 @contextmanager
 def opened(result: Path) -> Iterator[Any]:
+    """The result of a sweep, HDF5 or Zarr, to be read.  Raises StudyError."""
     import h5netcdf
 
+    if result.suffix == SUFFIX:
+        with opened_zarr(result) as store:
+            yield store
+        return
     try:
         require_file(result)
         file = h5netcdf.File(result, "r", decode_vlen_strings=True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,20 +13,20 @@ from ..base.errors import SceneError, StudyError
 from .cache import Kept
 from .cases import Study
 from .chunks import Progress, fill
+from .forms import FileStore, Form, file_name, finish
 from .memory import MemoryStore, dataset
-from .netcdf import write_result
 from .plan import plan_sweep
 from .shard import Shard
 from .size import Size, check_cases, check_disk, check_memory, expected_size
 from .spread import ExecutorLike, fill_by, is_executor
-from .store import SweepStore, wait_for_cases
-from .table import is_table_of, write_csv
+from .store import wait_for_cases
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..reading.scene import WrittenScene
 
+_USUAL = Form()
 # Ranges of missing cases that a message names.
 _NAMED_GAPS = 3
 
@@ -43,7 +42,7 @@ class SweepInterrupted(StudyError):
 
 @dataclass(frozen=True)
 class SweepFiles:
-    """What a sweep left: the HDF5 file, the CSV file, the cases in them, and how many are new."""
+    """What a sweep left: the result, its table (if one was wanted), their cases, and how many are new."""
 
     result: Path
     table: Path
@@ -77,7 +76,7 @@ def _study_of(
 
 
 def _fill(
-    store: SweepStore | MemoryStore, study: Study, executor: ExecutorLike | None, progress: Progress
+    store: FileStore | MemoryStore, study: Study, executor: ExecutorLike | None, progress: Progress
 ) -> None:
     if executor is None:
         fill(store, study, progress)
@@ -111,8 +110,9 @@ def sweep_files(
     tell: Callable[[str], None] = _silent,
     executor: ExecutorLike | None = None,
     stop_after: int | None = None,
+    form: Form = _USUAL,
 ) -> SweepFiles:
-    """Runs all cases of the scene's [sweep] and leaves OUT/ID.h5 and OUT/ID.csv.
+    """Runs all cases of the scene's [sweep] and leaves OUT/ID.h5 and OUT/ID.csv, or what `form` says.
 
     `workers`: threads (default: the processors of this process).  `executor`: what computes instead of them,
     as spread.py says; `workers` are then the threads of each of its tasks (default: 1).  `resume`: go on
@@ -120,6 +120,7 @@ def sweep_files(
     called some times a second in the calling thread.  `kept`: of earlier sweeps of the scene, over whatever
     grids.  `tell(text)` is called before anything is computed with how much it will be.  A case that fails
     becomes NaN, status and message; the sweep goes on.  `stop_after`: until so many have failed.
+    `form`: of the files.
 
     Raises SceneError (the scene cannot be swept), StudyError (the output cannot be used or written, or
     belongs to something else; nothing half-written stays; or so many cases have failed) and
@@ -128,8 +129,7 @@ def sweep_files(
     study = _study_of(scene, workers, kept, executor, stop_after)
     plan, folder, size = study.plan, Path(out), _size_of(study)
     study.failures.hint = f"What was computed is saved in {folder}; go on with --resume"
-    store = SweepStore(folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=resume)
-    with store:
+    with form.store(folder, study, resume=resume) as store:
         missing = plan.cases - store.done
         if missing == plan.cases:
             check_disk(size, folder)
@@ -137,25 +137,14 @@ def sweep_files(
             tell(size.text)
         try:
             _fill(store, study, executor, progress or _nobody)
-            _finish(store, study, missing, tell)
+            table = finish(store, study, form, missing, tell)
         except KeyboardInterrupt:
             raise SweepInterrupted(
                 f"stopped: {store.done} of {plan.cases} cases are saved in {folder}; go on with --resume",
                 store.done,
                 plan.cases,
             ) from None
-    return SweepFiles(store.result, store.table, plan.cases, missing)
-
-
-def _finish(store: SweepStore, study: Study, missing: int, tell: Callable[[str], None]) -> None:
-    """Makes one result and its table of all parts; `missing`: the cases that were not there before."""
-    if not store.finished:
-        with store.finish() as path:
-            attributes = {**study.attributes(), "manifest": json.dumps(store.manifest)}
-            write_result(path, study.layout, store.blocks(), attributes)
-    if missing or not _has_table(store, tell):
-        write_csv(store.result, store.table)
-    store.remove_parts()
+    return SweepFiles(store.result, table, plan.cases, missing)
 
 
 @dataclass(frozen=True)
@@ -176,6 +165,7 @@ def sweep_shard(
     progress: Progress | None = None,
     executor: ExecutorLike | None = None,
     stop_after: int | None = None,
+    form: Form = _USUAL,
 ) -> ShardDone:
     """Runs the cases of one shard of the scene's [sweep] and leaves them as parts in OUT/ID.parts.
 
@@ -185,10 +175,7 @@ def sweep_shard(
     study = _study_of(scene, workers, None, executor, stop_after)
     _size_of(study)
     plan, folder = study.plan, Path(out)
-    store = SweepStore(
-        folder, _file_name(scene.data.id), plan.cases, study.manifest(), resume=True, shard=shard
-    )
-    with store:
+    with form.store(folder, study, resume=True, shard=shard) as store:
         missing = store.missing
         try:
             _fill(store, study, executor, progress or _nobody)
@@ -198,8 +185,7 @@ def sweep_shard(
                 store.done,
                 plan.cases,
             ) from None
-        first, end = shard.range(plan.cases)
-        return ShardDone(end - first, missing, plan.cases - store.count())
+        return ShardDone(store.wanted, missing, plan.cases - store.count())
 
 
 def merge_shards(
@@ -209,19 +195,20 @@ def merge_shards(
     wait: bool = False,
     progress: Progress | None = None,
     tell: Callable[[str], None] = _silent,
+    table: str = "csv",
 ) -> SweepFiles:
     """Makes OUT/ID.h5 and OUT/ID.csv of what the shards have left; the parts are removed then.
 
     `wait`: until all cases are there.  Raises StudyError if some are missing, and as `sweep_files` does.
     """
     study = _study_of(scene, None, None)
-    folder, name, cases = Path(out), _file_name(scene.data.id), study.plan.cases
+    folder, name, cases = Path(out), file_name(scene.data.id), study.plan.cases
     if wait:
         wait_for_cases(folder, name, cases, progress or _nobody)
-    elif not (folder / f"{name}.parts").exists() and not (folder / f"{name}.h5").exists():
+    form = Form.in_folder(folder, name, table)
+    if form.result == "hdf5" and not any((folder / f"{name}{end}").exists() for end in (".parts", ".h5")):
         raise StudyError(f"{folder}: no shard of the sweep {name} has been computed there")
-    store = SweepStore(folder, name, cases, study.manifest(), resume=True)
-    with store:
+    with form.store(folder, study, resume=True) as store:
         gaps = store.gaps()
         if gaps:
             named = ", ".join(f"{first} to {first + count - 1}" for first, count in gaps[:_NAMED_GAPS])
@@ -231,18 +218,8 @@ def merge_shards(
                 "shards once more, or what is missing here by sweep --resume"
             )
         was_there = store.finished
-        _finish(store, study, 0 if was_there else cases, tell)
-    return SweepFiles(store.result, store.table, cases, 0)
-
-
-def _has_table(store: SweepStore, tell: Callable[[str], None]) -> bool:
-    """Whether the table of a result that was there before is whole."""
-    if not store.table.exists():
-        return False
-    if is_table_of(store.result, store.table):
-        return True
-    tell(f"{store.table}: was damaged, or changed; it is written anew from {store.result.name}")
-    return False
+        made = finish(store, study, form, 0 if was_there else cases, tell)
+    return SweepFiles(store.result, made, cases, 0)
 
 
 def run_sweep(
@@ -255,6 +232,7 @@ def run_sweep(
     kept: Kept | None = None,
     executor: ExecutorLike | None = None,
     stop_after: int | None = None,
+    form: Form = _USUAL,
 ) -> xr.Dataset:
     """As `sweep_files`, but gives the labelled results: opened lazily from OUT/ID.h5 (its path is in
     `encoding["source"]`), or, without `out`, in memory, with no file left behind."""
@@ -270,16 +248,12 @@ def run_sweep(
             kept=kept,
             executor=executor,
             stop_after=stop_after,
+            form=form,
         )
-        return xr.open_dataset(files.result, engine="h5netcdf")
+        return xr.open_dataset(files.result, engine="zarr" if form.result == "zarr" else "h5netcdf")
     study = _study_of(scene, workers, kept, executor, stop_after)
     check_memory(_size_of(study))
     store = MemoryStore(study.plan.cases)
     _fill(store, study, executor, progress or _nobody)
     attributes = {**study.attributes(), "manifest": json.dumps(study.manifest())}
     return dataset(study.layout, store.blocks, attributes)
-
-
-def _file_name(identity: str) -> str:
-    """A scene's id as the name of a file."""
-    return re.sub(r"[^\w.+-]", "_", identity).lstrip(".") or "sweep"

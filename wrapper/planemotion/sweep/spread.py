@@ -20,8 +20,7 @@ from typing import Any, Protocol, TypeAlias, TypeGuard
 from ..base.errors import PlanemotionError, StudyError
 from .cases import Study
 from .chunks import CHUNK_SECONDS, FIRST_CHUNK, GROWTH, POLL, Progress, keep
-from .memory import MemoryStore
-from .store import SweepStore
+from .takes import Takes
 from .task import Recipe, compute_block
 
 # Blocks that are with the executor at once, for each worker: one that it computes, one that waits.
@@ -63,9 +62,7 @@ class _Task:
     lost: int = 0
 
 
-def fill_by(
-    store: SweepStore | MemoryStore, study: Study, executor: ExecutorLike, progress: Progress
-) -> None:
+def fill_by(store: Takes, study: Study, executor: ExecutorLike, progress: Progress) -> None:
     """Computes what is missing; `study.workers` threads for each block.
 
     Raises StudyError if blocks are lost again and again.  What else a block raises ends the sweep; blocks
@@ -145,7 +142,7 @@ def _workers_of(executor: Any) -> int:
 class _Work:
     """Which blocks are with the executor, which come next, and how large they are."""
 
-    def __init__(self, store: SweepStore | MemoryStore, study: Study, crew: _Crew) -> None:
+    def __init__(self, store: Takes, study: Study, crew: _Crew) -> None:
         self._store, self._study, self._crew = store, study, crew
         self._recipe = Recipe.of(study.solver)
         self._left = store.missing  # cases that no task has yet
@@ -184,7 +181,7 @@ class _Work:
             end = first + count
             while first < end:
                 share = math.ceil(self._left / (_AHEAD * self._crew.workers))
-                size = max(1, min(self._size, share, end - first))
+                size = self._store.fit(first, max(1, min(self._size, share)), end)
                 yield _Task(first, size)
                 first += size
                 self._left -= size

@@ -208,6 +208,12 @@ class SweepStore:
         return self.cases if self.finished else sum(part.count for part in parts_in(self.parts_folder))
 
     @property
+    def wanted(self) -> int:
+        """Cases that are to be stored, with those that are."""
+        first, end = self._range
+        return end - first
+
+    @property
     def missing(self) -> int:
         """Cases that are to be stored and are not."""
         return sum(count for _, count in self.gaps())
@@ -222,6 +228,10 @@ class SweepStore:
                 found.append((place, part.first - place))
             place = max(place, part.end)
         return [*found, (place, end - place)] if place < end else found
+
+    def fit(self, first: int, count: int, end: int) -> int:
+        """How many cases from `first` on, `count` and at most up to `end`, are one block."""
+        return min(count, end - first)
 
     def add(self, first: int, block: Block) -> None:
         """Stores the results of cases first .. first+len(block)-1; when this returns they are on the disk.

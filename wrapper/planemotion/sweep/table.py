@@ -22,6 +22,7 @@ from .._layout import PM_TRUST_MARGIN
 from ..base.arrays import Floats
 from ..base.files import appearing, disk_errors
 from ..engine.words import spelled
+from ..language.cf import unit_of
 from .costs import Costly, Costs
 from .layout import REASON_WORDS, STATUS_WORDS, TRUST_WORDS, error_name
 from .netcdf import hyperslabs, opened
@@ -46,7 +47,7 @@ def write_csv(result: Path, table: Path) -> None:
     be read or `table` cannot be written.
     """
     with opened(result) as file, appearing(table) as temporary:
-        columns = _Columns(file)
+        columns = Columns(file)
         with open(temporary, "wb") as text:
             for piece in _text_of(columns):
                 text.write(piece)
@@ -58,10 +59,10 @@ def is_table_of(result: Path, table: Path) -> bool:
     Raises StudyError if either cannot be read.
     """
     with opened(result) as file, disk_errors(table), open(table, "rb") as text:
-        return all(text.read(len(piece)) == piece for piece in _text_of(_Columns(file))) and not text.read(1)
+        return all(text.read(len(piece)) == piece for piece in _text_of(Columns(file))) and not text.read(1)
 
 
-def _text_of(columns: _Columns) -> Iterator[bytes]:
+def _text_of(columns: Columns) -> Iterator[bytes]:
     header = io.StringIO()
     csv.writer(header, lineterminator="\n").writerow(columns.header)
     yield header.getvalue().encode()
@@ -96,7 +97,7 @@ def _field(text: str) -> str:
     return '"' + text.replace('"', '""') + '"' if _QUOTED.search(text) else text
 
 
-class _Columns:
+class Columns:
     """The columns of the table of an opened result."""
 
     def __init__(self, file: Any) -> None:
@@ -113,17 +114,17 @@ class _Columns:
         for name in file.attrs["parameters"].split():
             variable = self._variables[name]
             self._parameters[name] = self._grid.index(variable.dimensions[0]), variable[...]
-            unit = variable.attrs.get("units")  # an option has none
-            self.header.append(name if unit is None else f"{name} [{unit}]")
+            has_unit = "units" in variable.attrs  # an option has none
+            self.header.append(f"{name} [{unit_of(variable.attrs)}]" if has_unit else name)
         for key in self._asks:
             variable = self._variables[key]
             numbers = range(1, math.prod(variable.shape[len(self._grid) :]) + 1)
             names = [f"{key}[{number}]" for number in numbers] if self._is_list(key) else [key]
-            self.header += [f"{name} [{variable.attrs['units']}]" for name in names]
+            self.header += [f"{name} [{unit_of(variable.attrs)}]" for name in names]
         self.answers = len(self.header)  # columns in front of the evidence
         self._has_errors = TRUST_WORDS[PM_TRUST_MARGIN] in self._variables
         if self._has_errors:
-            units = [self._variables[key].attrs["units"] for key in self._asks]
+            units = [unit_of(self._variables[key].attrs) for key in self._asks]
             self.header += [f"{key} error [{unit}]" for key, unit in zip(self._asks, units, strict=True)]
             self.header.append(TRUST_WORDS[PM_TRUST_MARGIN])
         self.header += ["reason", "status"]
@@ -137,6 +138,10 @@ class _Columns:
     def rows(self, first: int, count: int) -> Iterator[tuple[Any, ...]]:
         """The rows of cases first .. first+count-1."""
         return zip(*(column.values for column in self._columns(first, count)), strict=True)
+
+    def values(self, first: int, count: int) -> Iterator[Iterable[Any]]:
+        """The columns of cases first .. first+count-1."""
+        return (column.values for column in self._columns(first, count))
 
     def lines(self, first: int, count: int) -> str:
         """The lines of the table of cases first .. first+count-1."""
@@ -245,7 +250,7 @@ def summarise(result: Path, rows: int = 11) -> Summary:
     Raises StudyError if `result` cannot be read.
     """
     with opened(result) as file:
-        columns = _Columns(file)
+        columns = Columns(file)
         statuses: Counter[str] = Counter()
         costs = Costs()
         for first, count in columns.slices():

@@ -11,6 +11,7 @@ from ..base.errors import StudyError
 from ..engine.history import is_history
 from .parts import part_faults
 from .table import is_table_of
+from .zarr_file import SUFFIX, zarr_faults
 
 # What every HDF5 file begins with.
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
@@ -26,7 +27,7 @@ class Verified:
 
 def is_result(path: Path) -> bool:
     """Whether the path leads to a folder or to an HDF5 file, and so to no scene."""
-    if path.is_dir() or path.suffix == ".h5":
+    if path.is_dir() or path.suffix in (".h5", SUFFIX):
         return True
     try:
         require_file(path)
@@ -38,12 +39,15 @@ def is_result(path: Path) -> bool:
 
 def verify(path: Path) -> list[Verified]:
     """Every result in a folder, or that of one file with its table.  Raises StudyError if there is none."""
+    if path.suffix == SUFFIX:
+        return [Verified(path, tuple(zarr_faults(path)))]
     results = sorted(path.glob("*.h5")) if path.is_dir() else [path]
     found = [one for result in results for one in _verify_file(result)]
     if path.is_dir():
         found += [Verified(parts, tuple(part_faults(parts))) for parts in sorted(path.glob("*.parts"))]
+        found += [Verified(store, tuple(zarr_faults(store))) for store in sorted(path.glob(f"*{SUFFIX}"))]
     if not found:
-        raise StudyError(f"{path}: there is no result (*.h5) in this folder")
+        raise StudyError(f"{path}: there is no result (*.h5, *.zarr) in this folder")
     return found
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..engine.kernel import status_name, status_text
+from ..language.cf import unit_of
 from ..pictures.panels import words_of
 
 if TYPE_CHECKING:
@@ -56,6 +57,6 @@ def case_values(dataset: xr.Dataset, place: dict[Any, int]) -> dict[str, str]:
             values[name] = words[place[variable.dims[0]]]
             continue
         value = float(variable.values[place[variable.dims[0]]])
-        unit = str(variable.attrs.get("units", "1"))
+        unit = unit_of(variable.attrs)
         values[name] = f"{value!r}" if unit == "1" else f"{value!r} {unit}"
     return values
