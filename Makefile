@@ -7,7 +7,7 @@ comma := ,
 # A test asks for more memory than there is: the allocator says no, as it does without a sanitizer.
 ASAN := halt_on_error=1:abort_on_error=1:print_summary=1:allocator_may_return_null=1
 SANITIZE_BUILD := build/sanitize-$(subst $(comma),-,$(SANITIZE))
-C_FILES = $(shell find kernel tests/kernel -name '*.[ch]')
+C_FILES = $(shell find kernel tests/kernel wrapper/fmu -name '*.[ch]')
 
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 

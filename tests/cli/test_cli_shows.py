@@ -152,7 +152,7 @@ def test_check_verifies_a_result_and_a_folder(folder: Path) -> None:
     assert done.exit_code == 1
     assert "o/pendulum.csv: it is not the table of pendulum.h5" in done.stderr
     Path("empty").mkdir()
-    assert "empty: there is no result (*.h5) in this folder" in invoke("check", "empty").stderr
+    assert "empty: there is no result (*.h5, *.zarr) in this folder" in invoke("check", "empty").stderr
 
 
 def test_a_pipe_that_nobody_writes_hangs_no_command(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .engine.result import AskValue, RunResult
     from .engine.words import words
     from .file import load, load_text
+    from .fmu import export_fmu
     from .mapping import OutcomeMap
     from .pictures.picture import Picture
     from .reporting import Report
@@ -38,6 +39,7 @@ __all__ = [
     "StudyError",
     "__version__",
     "cases",
+    "export_fmu",
     "load",
     "load_text",
     "statistics",
@@ -57,6 +59,7 @@ _HOME = {
     "SimulationError": "base.errors",
     "StudyError": "base.errors",
     "cases": "sweep.frames",
+    "export_fmu": "fmu",
     "load": "file",
     "load_text": "file",
     "statistics": "sweep.frames",

@@ -16,6 +16,7 @@ from typing import Any
 import click
 
 from ..base.errors import PlanemotionError, SceneHint, SimulationError
+from .export import export_fmu
 from .map import map_
 from .new import new
 from .options import FAILED, INTERRUPTED, WRONG, say
@@ -80,7 +81,8 @@ def main() -> None:
     """
 
 
-for _command in (run, sweep, merge, map_, check, explain, plot, draw, animate, report, schema, new):
+_COMMANDS = (run, sweep, merge, map_, check, explain, plot, draw, animate, report, schema, export_fmu, new)
+for _command in _COMMANDS:
     main.add_command(_command)
 
 
