@@ -31,7 +31,7 @@ help:
 	@echo 'make stress       changed scenes and tables, contacts beside their laws, pulses and waves (an hour)'
 	@echo 'make calibrate    estimated errors against true ones, and what they cost (some minutes)'
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
-	@echo 'make bench-long   a sweep of a million cases: its time and memory'
+	@echo 'make bench-long   sweeps of a million cases: time, memory, workers of Dask, killed ones'
 	@echo 'make docs         the pages of docs/: build/docs/index.html'
 	@echo 'make wheel        a wheel with the libraries in it: dist/'
 	@echo 'make wheel-test   install it into a clean environment and use it there'
@@ -99,7 +99,7 @@ bench:
 
 bench-long:
 	@.ci/setup --peers
-	$(BIN)/python -m studies.benchmarks --out build/bench-long --only memory_long
+	$(BIN)/python -m studies.benchmarks --out build/bench-long --only memory_long,executors_long
 
 calibrate: setup
 	$(BIN)/python -m studies.benchmarks.calibration

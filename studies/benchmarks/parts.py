@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from . import agreement, growth, memory, motion_forces, named_studies, stock, summary
+from . import agreement, executors, growth, memory, motion_forces, named_studies, stock, summary
 from .rows import Row
 from .tables import Table
 
@@ -21,4 +21,4 @@ PARTS: dict[str, Part] = {
     "summary": summary.tables,
 }
 # By name only: they take long.
-LONG_PARTS: dict[str, Part] = {"memory_long": memory.long_tables}
+LONG_PARTS: dict[str, Part] = {"memory_long": memory.long_tables, "executors_long": executors.tables}
