@@ -6,6 +6,7 @@
 
 #include "elements/constraint.h"
 #include "expression/program_class.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -18,7 +19,7 @@ static double acceleration_scale(const pm_frame *frame)
     for (int i = 0; i < frame->model->nq; i++) {
         const double applied =
             frame->numbers->stand_in[i] > 0 ? 0 : frame->numbers->inverse_mass[i] * frame->f[i];
-        scale = fmax(scale, fmax(fabs(applied), fabs(frame->a[i])) * length_of(frame, i));
+        scale = pm_max(pm_max(fabs(applied), fabs(frame->a[i])) * length_of(frame, i), scale);
     }
     return scale;
 }

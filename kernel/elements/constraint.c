@@ -1,19 +1,7 @@
 /* constraint.c - what all kinds of constraints share: their two marks, their Jacobian, bounds of their motion. */
 #include "elements/constraint.h"
 
-pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *c)
-{
-    pm_marks x = {.a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]),
-                  .b = pm_frame_point(frame, c->body[1], c->b[0], c->b[1])};
-    x.omega_a = frame->velocity[3 * c->body[0] + 2];
-    x.omega_b = frame->velocity[3 * c->body[1] + 2];
-    for (int k = 0; k < 2; k++) {
-        x.d[k] = x.a.p[k] - x.b.p[k];
-        x.u[k] = x.a.v[k] - x.b.v[k];
-        x.quad[k] = -x.omega_a * x.omega_a * x.a.r[k] + x.omega_b * x.omega_b * x.b.r[k];
-    }
-    return x;
-}
+#include "numerics/minmax.h"
 
 /* Greatest size of omega^2 and alpha together while omega grows by alpha. */
 static double hardest_rotation(double omega, double alpha, double h)
@@ -36,28 +24,6 @@ pm_constraint_reach pm_constraint_reach_of(const pm_constraint *c, const pm_mark
     return r;
 }
 
-void pm_constraint_along(pm_constraint *c, const pm_marks *x, const double n[2], double factor)
-{
-    c->j[0] = factor * n[0];
-    c->j[1] = factor * n[1];
-    c->j[2] = factor * pm_cross(x->a.r, n);
-    c->j[3] = -factor * n[0];
-    c->j[4] = -factor * n[1];
-    c->j[5] = -factor * pm_cross(x->b.r, n);
-}
-
-double pm_constraint_times(const pm_frame *frame, const pm_constraint *c, const double *x)
-{
-    const int ground = frame->model->nbody;
-    double sum = 0;
-    for (int p = 0; p < 2; p++) {
-        if (c->body[p] == ground) continue;
-        const double *y = x + 3 * c->body[p], *j = c->j + 3 * p;
-        sum += j[0] * y[0] + j[1] * y[1] + j[2] * y[2];
-    }
-    return sum;
-}
-
 double pm_constraint_square(const pm_frame *frame, const pm_constraint *c)
 {
     double sum = 0;
@@ -72,7 +38,7 @@ double pm_constraint_openings(const pm_constraint *c, int n, const int *which, d
     double worst = 0;
     for (int i = 0; i < n; i++) {
         off[i] = -c[which ? which[i] : i].g;
-        worst = fmax(worst, fabs(off[i]));
+        worst = pm_max(fabs(off[i]), worst);
     }
     return worst;
 }
@@ -84,7 +50,7 @@ double pm_constraint_slips(const pm_frame *frame, const pm_constraint *c, int n,
     for (int i = 0; i < n; i++) {
         const pm_constraint *x = &c[which ? which[i] : i];
         off[i] = x->rate - pm_constraint_times(frame, x, v);
-        worst = fmax(worst, fabs(off[i]));
+        worst = pm_max(fabs(off[i]), worst);
     }
     return worst;
 }

@@ -66,12 +66,14 @@ typedef struct pm_constraint_bounds {
     int exact;   /* the second rate *is* bend, throughout */
 } pm_constraint_bounds;
 
-/* One kind: `evaluate` fills j, g, gamma at the frame; `act` gives the line of action; `remember` (no-slip constraints) sets or
+/* One kind: `evaluate` fills j, g, gamma at the frame; `gap` (NULL: no gap of this kind is watched) gives the same g, and j v with
+ * the velocities of the frame where rate is not NULL; `act` gives the line of action; `remember` (no-slip constraints) sets or
  * refreshes the memory (of the anchor, else of the foot) from the frame: anchor_too = 1 closes the constraint here. `steady`:
  * the Jacobian stays the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as
  * evaluated at the frame, with the accelerations a[nq + 3]. */
 typedef struct pm_constraint_ops {
     void (*evaluate)(const pm_frame *frame, pm_constraint *c);
+    double (*gap)(const pm_frame *frame, const pm_constraint *c, double *rate);
     void (*act)(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x);
     void (*remember)(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too);
     int (*steady)(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
@@ -116,8 +118,24 @@ static inline int pm_constraint_is_angle(const pm_constraint *c)
     return c->kind == PM_CONSTRAINT_ANGLE || c->kind == PM_CONSTRAINT_RATIO;
 }
 
-/* j x of a constraint that is evaluated; x[nq]: velocities, accelerations, a direction. */
-double pm_constraint_times(const pm_frame *frame, const pm_constraint *c, const double *x);
+/* j x on the two bodies of a constraint; x[nq]: velocities, accelerations, a direction. */
+static inline double pm_constraint_jacobian_times(const pm_frame *frame, const int body[2], const double j[6],
+                                                  const double *x)
+{
+    const int ground = frame->model->nbody;
+    double sum = 0;
+    for (int p = 0; p < 2; p++) {
+        if (body[p] == ground) continue;
+        const double *y = x + 3 * body[p], *g = j + 3 * p;
+        sum += g[0] * y[0] + g[1] * y[1] + g[2] * y[2];
+    }
+    return sum;
+}
+/* The same of a constraint that is evaluated. */
+static inline double pm_constraint_times(const pm_frame *frame, const pm_constraint *c, const double *x)
+{
+    return pm_constraint_jacobian_times(frame, c->body, c->j, x);
+}
 /* j M^-1 j^T of an evaluated constraint: a reaction l moves the scene like l sqrt(this) in the metric of M. */
 double pm_constraint_square(const pm_frame *frame, const pm_constraint *c);
 /* What evaluated constraints are missed by, off[n], and the greatest of it: -g, or the prescribed rate less that of
@@ -140,9 +158,34 @@ typedef struct pm_marks {
     double quad[2]; /* relative acceleration of the marks when the coordinates do not accelerate */
     double omega_a, omega_b;
 } pm_marks;
-pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *c);
+static inline pm_marks pm_constraint_marks(const pm_frame *frame, const pm_constraint *c)
+{
+    pm_marks x = {.a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]),
+                  .b = pm_frame_point(frame, c->body[1], c->b[0], c->b[1])};
+    x.omega_a = frame->velocity[3 * c->body[0] + 2];
+    x.omega_b = frame->velocity[3 * c->body[1] + 2];
+    for (int k = 0; k < 2; k++) {
+        x.d[k] = x.a.p[k] - x.b.p[k];
+        x.u[k] = x.a.v[k] - x.b.v[k];
+        x.quad[k] = -x.omega_a * x.omega_a * x.a.r[k] + x.omega_b * x.omega_b * x.b.r[k];
+    }
+    return x;
+}
+/* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
+static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }
+static inline double pm_dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
+static inline double pm_cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
+
 /* j = (n, r_a x n) on a, -(n, r_b x n) on b. */
-void pm_constraint_along(pm_constraint *c, const pm_marks *x, const double n[2], double factor);
+static inline void pm_constraint_along(double j[6], const pm_marks *x, const double n[2], double factor)
+{
+    j[0] = factor * n[0];
+    j[1] = factor * n[1];
+    j[2] = factor * pm_cross(x->a.r, n);
+    j[3] = -factor * n[0];
+    j[4] = -factor * n[1];
+    j[5] = -factor * pm_cross(x->b.r, n);
+}
 
 /* How far, how fast and how hard (beyond the constant accelerations of their mass centres) two marks part at most over the
  * next h seconds; `omega`, `spin`: how fast and how hard body[1] rotates. */
@@ -176,10 +219,5 @@ void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, 
                                 double sense_b);
 /* A circle and member 0 of a pattern. */
 void pm_constraint_marks_pattern(const pm_frame *frame, pm_constraint *c, int circle, int of);
-
-/* No overflow is possible at the scale of scenes: a plain root is an eighth of hypot's price. */
-static inline double pm_length(const double a[2]) { return sqrt(a[0] * a[0] + a[1] * a[1]); }
-static inline double pm_dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
-static inline double pm_cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
 
 #endif

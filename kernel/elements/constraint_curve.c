@@ -62,7 +62,7 @@ static void evaluate_normal(const pm_frame *frame, pm_constraint *c)
     const pm_marks m = pm_constraint_marks(frame, c);
     const pm_curve_look l = look(frame, c, &m);
     const double w = m.omega_b, slope = 1 - l.foot.bend * l.height;
-    pm_constraint_along(c, &m, l.n, 1);
+    pm_constraint_along(c->j, &m, l.n, 1);
     c->j[5] -= pm_dot(m.d, l.t);
     c->g = l.height - c->radius_a;
     c->gamma = -(pm_dot(m.quad, l.n) - 2 * w * pm_dot(m.u, l.t) - w * w * pm_dot(m.d, l.n)) +
@@ -93,7 +93,7 @@ static void evaluate_tangent(const pm_frame *frame, pm_constraint *c)
     const double bends = l.foot.bend_rate * way;
     const double e_rate =
         (-bends * c->radius_a * slope + own * (bends * l.height + b * across)) / (slope * slope);
-    pm_constraint_along(c, &m, l.t, e);
+    pm_constraint_along(c->j, &m, l.t, e);
     c->j[2] += c->radius_a;
     c->j[5] += e * pm_dot(m.d, l.n) - c->radius_a;
     c->g = rolled_from(frame, c, memory->direction, &l.foot) + rotated(frame, c) - memory->anchor;

@@ -18,7 +18,7 @@ static void evaluate(const pm_frame *frame, pm_constraint *c)
     const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double across = pm_dot(x.u, t);
-    pm_constraint_along(c, &x, n, c->sign);
+    pm_constraint_along(c->j, &x, n, c->sign);
     c->g = c->sign * (distance - c->value);
     c->gamma = -c->sign * (pm_dot(x.quad, n) + across * across / distance);
     if (c->drive == PM_NONE) return;
@@ -26,6 +26,20 @@ static void evaluate(const pm_frame *frame, pm_constraint *c)
     c->g = c->sign * (distance - length.place);
     c->gamma += c->sign * length.change;
     c->rate = c->sign * length.rate;
+}
+
+/* Of circles: their distance is not prescribed. */
+static double gap(const pm_frame *frame, const pm_constraint *c, double *rate)
+{
+    const pm_marks x = pm_constraint_marks(frame, c);
+    const double distance = pm_length(x.d);
+    if (rate) {
+        const double n[2] = {x.d[0] / distance, x.d[1] / distance};
+        double j[6];
+        pm_constraint_along(j, &x, n, c->sign);
+        *rate = pm_constraint_jacobian_times(frame, c->body, j, frame->v);
+    }
+    return c->sign * (distance - c->value);
 }
 
 static void act(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
@@ -61,4 +75,4 @@ static int steady(const pm_frame *frame, const pm_constraint *c, const pm_consta
 }
 
 const pm_constraint_ops pm_constraint_distance = {
-    .evaluate = evaluate, .act = act, .steady = steady, .bound = bound};
+    .evaluate = evaluate, .gap = gap, .act = act, .steady = steady, .bound = bound};

@@ -33,7 +33,7 @@ static void keep(const pm_frame *frame, const pm_constraint *c, double place, pm
 static void evaluate_point(const pm_frame *frame, pm_constraint *c)
 {
     const pm_marks x = pm_constraint_marks(frame, c);
-    pm_constraint_along(c, &x, c->axis, 1);
+    pm_constraint_along(c->j, &x, c->axis, 1);
     c->gamma = -pm_dot(x.quad, c->axis);
     prescribe(frame, c, pm_dot(x.d, c->axis));
 }

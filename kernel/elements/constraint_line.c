@@ -29,11 +29,24 @@ static void evaluate_normal(const pm_frame *frame, pm_constraint *c)
 {
     const pm_marks x = pm_constraint_marks(frame, c);
     const pm_line_frame l = line_frame(frame, c);
-    pm_constraint_along(c, &x, l.n, 1);
+    pm_constraint_along(c->j, &x, l.n, 1);
     c->j[5] -= pm_dot(x.d, l.t);
     c->g = pm_dot(x.d, l.n) - c->radius_a;
     c->gamma =
         -(pm_dot(x.quad, l.n) - 2 * x.omega_b * pm_dot(x.u, l.t) - x.omega_b * x.omega_b * pm_dot(x.d, l.n));
+}
+
+static double gap(const pm_frame *frame, const pm_constraint *c, double *rate)
+{
+    const pm_marks x = pm_constraint_marks(frame, c);
+    const pm_line_frame l = line_frame(frame, c);
+    if (rate) {
+        double j[6];
+        pm_constraint_along(j, &x, l.n, 1);
+        j[5] -= pm_dot(x.d, l.t);
+        *rate = pm_constraint_jacobian_times(frame, c->body, j, frame->v);
+    }
+    return pm_dot(x.d, l.n) - c->radius_a;
 }
 
 static double rolled(const pm_frame *frame, const pm_constraint *c, const pm_marks *x, const pm_line_frame *l)
@@ -46,7 +59,7 @@ static void evaluate_tangent(const pm_frame *frame, pm_constraint *c)
 {
     const pm_marks x = pm_constraint_marks(frame, c);
     const pm_line_frame l = line_frame(frame, c);
-    pm_constraint_along(c, &x, l.t, 1);
+    pm_constraint_along(c->j, &x, l.t, 1);
     c->j[2] += c->radius_a;
     c->j[5] += pm_dot(x.d, l.n) - c->radius_a;
     const pm_drive_motion drive = pm_drive_of(frame, c);
@@ -120,6 +133,6 @@ static void bound(const pm_frame *frame, const pm_constraint *c, const double *a
 }
 
 const pm_constraint_ops pm_constraint_line_normal = {
-    .evaluate = evaluate_normal, .act = act_normal, .steady = steady_normal, .bound = bound};
+    .evaluate = evaluate_normal, .gap = gap, .act = act_normal, .steady = steady_normal, .bound = bound};
 const pm_constraint_ops pm_constraint_line_tangent = {
     .evaluate = evaluate_tangent, .act = act_tangent, .remember = remember, .steady = steady_tangent};

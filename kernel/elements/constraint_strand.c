@@ -61,7 +61,7 @@ static void evaluate(const pm_frame *frame, pm_constraint *c)
     const pm_strand x = look(frame, c, &y);
     const pm_memory *memory = &frame->memory[c->memory];
     const double across = pm_dot(y.u, x.n);
-    pm_constraint_along(c, &y, x.u, 1);
+    pm_constraint_along(c->j, &y, x.u, 1);
     c->j[2] += c->radius_a;
     c->j[5] -= c->radius_b;
     c->g = memory->anchor + paid_out(frame, c, &x, unwrapped(x.direction, memory->direction));

@@ -30,7 +30,7 @@ static void evaluate(const pm_frame *frame, pm_constraint *c)
     const double distance = pm_length(x.d);
     const double n[2] = {x.d[0] / distance, x.d[1] / distance}, t[2] = {-n[1], n[0]};
     const double factor = c->value / distance, spin = pm_dot(x.u, t) / distance;
-    pm_constraint_along(c, &x, t, factor);
+    pm_constraint_along(c->j, &x, t, factor);
     c->j[2] -= c->radius_a;
     c->j[5] -= c->radius_b;
     c->g = unwrapped(c, rolled(frame, c, x.d) - frame->memory[c->memory].anchor);

@@ -7,6 +7,7 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/edge.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -24,7 +25,7 @@ double pm_contact_reach(const pm_workspace *w)
 {
     double reach = w->numbers.size;
     for (int i = 0; i < w->model->nq; i++)
-        if (i % 3 != 2) reach = fmax(reach, fabs(w->state.q[i]));
+        if (i % 3 != 2) reach = pm_max(fabs(w->state.q[i]), reach);
     return reach;
 }
 
@@ -124,26 +125,33 @@ static double meeting_gap(const pm_frame *frame, int contact, double *rate)
 /* Of a circle and a point of a pattern, as constraint_distance.c has it. */
 static double point_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
-    const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW(m, contact);
-    const int32_t *pattern = PM_PATTERN_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
-    const int32_t *first = PM_POINT_ROW(m, pattern[PM_PATTERN_POINT]);
-    const pm_point a = pm_frame_point_of(frame, circle[PM_CIRCLE_POINT]);
-    const pm_point b = pm_frame_point(frame, pm_model_body_index(m, first[PM_POINT_BODY]),
-                                      frame->numbers->value[first[PM_POINT_X]] +
-                                          member * frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
-                                      frame->numbers->value[first[PM_POINT_Y]] +
-                                          member * frame->numbers->value[pattern[PM_PATTERN_STEP_Y]]);
+    const pm_constraint *c = &frame->numbers->of_contact[contact]; /* with member 0 */
+    const int32_t *pattern =
+        PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
+    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]);
+    const pm_point b = pm_frame_point(frame, c->body[1],
+                                      c->b[0] + member * frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
+                                      c->b[1] + member * frame->numbers->value[pattern[PM_PATTERN_STEP_Y]]);
     const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, u[2] = {a.v[0] - b.v[0], a.v[1] - b.v[1]};
     const double distance = pm_length(d);
     if (rate) *rate = pm_dot(u, d) / distance;
-    return distance - frame->numbers->value[circle[PM_CIRCLE_RADIUS]];
+    return distance - c->radius_a;
+}
+
+/* By the constraint with the numbers of the case, if its kind and that member need no other. */
+static const pm_constraint_ops *ops_of_gap(const pm_model *m, const pm_constraint *c, int contact, int member)
+{
+    const pm_constraint_ops *ops = pm_constraint_kind(c->kind);
+    return ops->gap && (member == PM_SEGMENT_FACE || !pm_edge_is(m, contact)) ? ops : NULL;
 }
 
 double pm_contact_member_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
+    const pm_constraint *own = &frame->numbers->of_contact[contact];
     if (pm_capture_is_meeting(frame->model, contact)) return meeting_gap(frame, contact, rate);
     if (pm_contact_is_pattern(frame->model, contact)) return point_gap(frame, contact, member, rate);
+    const pm_constraint_ops *ops = ops_of_gap(frame->model, own, contact, member);
+    if (ops) return ops->gap(frame, own, rate);
     pm_constraint normal;
     pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], member, &normal);
     pm_constraint_kind(normal.kind)->evaluate(frame, &normal);
@@ -159,30 +167,27 @@ double pm_contact_member_slip(const pm_frame *frame, int contact, int member)
     return pm_constraint_slip(frame, &tangent);
 }
 
-/* Where a point is; returns the pose of its body. */
-static inline const double *place_of(const pm_frame *frame, int point, double p[2])
+/* Where a mark of a body is. */
+static inline void place_of(const double *pose, const double mark[2], double p[2])
 {
-    const int32_t *e = PM_POINT_ROW(frame->model, point);
-    const double *pose = frame->pose + 5 * pm_model_body_index(frame->model, e[PM_POINT_BODY]);
-    const double x = frame->numbers->value[e[PM_POINT_X]], y = frame->numbers->value[e[PM_POINT_Y]];
-    p[0] = pose[0] + (pose[3] * x - pose[4] * y);
-    p[1] = pose[1] + (pose[4] * x + pose[3] * y);
-    return pose;
+    p[0] = pose[0] + (pose[3] * mark[0] - pose[4] * mark[1]);
+    p[1] = pose[1] + (pose[4] * mark[0] + pose[3] * mark[1]);
 }
 
 pm_beside pm_contact_beside(const pm_frame *frame, int contact)
 {
-    const pm_model *m = frame->model;
-    const int32_t *e = PM_CONTACT_ROW(m, contact);
-    const int32_t *pattern = PM_PATTERN_ROW(m, e[PM_CONTACT_B]), *circle = PM_CIRCLE_ROW(m, e[PM_CONTACT_A]);
+    const pm_constraint *of = &frame->numbers->of_contact[contact]; /* with member 0 */
+    const int32_t *pattern =
+        PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
+    const double *axes = frame->pose + 5 * of->body[1];
     double c[2], first[2];
-    place_of(frame, circle[PM_CIRCLE_POINT], c);
-    const double *axes = place_of(frame, pattern[PM_PATTERN_POINT], first);
+    place_of(frame->pose + 5 * of->body[0], of->a, c);
+    place_of(axes, of->b, first);
     const double sx = frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
                  sy = frame->numbers->value[pattern[PM_PATTERN_STEP_Y]];
     return (pm_beside){.d = {c[0] - first[0], c[1] - first[1]},
                        .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
-                       .radius = frame->numbers->value[circle[PM_CIRCLE_RADIUS]]};
+                       .radius = of->radius_a};
 }
 
 /* As constraint_distance.c has it. */

@@ -1,4 +1,5 @@
-/* case.c - parameters -> values; every bound that a number must keep is checked here, with its place. */
+/* case.c - the numbers of a case: values (case_values.c), masses, scales; what several of them must keep together is checked
+ * here, with its place. */
 #include "equations/case.h"
 
 #include <math.h>
@@ -7,7 +8,9 @@
 #include "elements/force.h"
 #include "elements/joint.h"
 #include "elements/turning_plane.h"
+#include "equations/case_values.h"
 #include "expression/program.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
 #include "state/evidence.h"
@@ -19,21 +22,6 @@ static int out_of_bound(pm_result *result, int table, int row, int member, doubl
     return pm_fail_member(result, PM_BAD_VALUE, table, row, member, value, bound);
 }
 
-int pm_case_values(pm_workspace *w, const double *param)
-{
-    const pm_model *m = w->model;
-    w->numbers.param = param;
-    w->numbers.is_folded = 0;
-    for (int i = 0; i < m->nparam; i++)
-        if (!isfinite(w->numbers.param[i]))
-            return out_of_bound(&w->result, PM_NONE, i, PM_NONE, w->numbers.param[i], 0);
-    for (int i = 0; i < m->nvalue; i++) {
-        const int program = m->table[PM_TABLE_VALUE][i * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
-        w->numbers.value[i] = pm_program_value(m, program, w->numbers.param, w->numbers.value);
-    }
-    return PM_OK;
-}
-
 /* value must be finite and > low (or >= low). */
 static int check(pm_workspace *w, int table, int row, int column, double low, int strict)
 {
@@ -41,57 +29,6 @@ static int check(pm_workspace *w, int table, int row, int column, double low, in
     const double value = w->numbers.value[index];
     if (isfinite(value) && (strict ? value > low : value >= low)) return PM_OK;
     return out_of_bound(&w->result, table, row, column, value, low);
-}
-
-/* What the numbers of a column must be, where they are given: finite, at least `low` (strict: more), at most `high`. */
-typedef struct pm_bounds {
-    int table, column;
-    double low, high;
-    int strict;
-} pm_bounds;
-
-static const pm_bounds bounds[] = {
-    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, -INFINITY, INFINITY, 0},
-    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, -INFINITY, INFINITY, 0},
-    {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_ACCURACY_LEAST, PM_ACCURACY_MOST, 0},
-    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, 0, INFINITY, 1},
-    {PM_TABLE_SETTING, PM_SETTING_MAX_CPU, 0, INFINITY, 1},
-    {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, 0, INFINITY, 1},
-    {PM_TABLE_SETTING, PM_SETTING_EXPONENT, 1, 10, 0},
-    {PM_TABLE_BODY, PM_BODY_MASS, 0, INFINITY, 0},
-    {PM_TABLE_BODY, PM_BODY_X, -INFINITY, INFINITY, 0},
-    {PM_TABLE_BODY, PM_BODY_Y, -INFINITY, INFINITY, 0},
-    {PM_TABLE_BODY, PM_BODY_ANGLE, -INFINITY, INFINITY, 0},
-    {PM_TABLE_POINT, PM_POINT_X, -INFINITY, INFINITY, 0},
-    {PM_TABLE_POINT, PM_POINT_Y, -INFINITY, INFINITY, 0},
-    {PM_TABLE_LINE, PM_LINE_ANGLE, -INFINITY, INFINITY, 0},
-    {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, 0, INFINITY, 0},
-    {PM_TABLE_PATTERN, PM_PATTERN_COUNT, -INFINITY, PM_MOST_MEMBERS, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, 0, 1, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, 0, 1, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_STIFFNESS, 0, INFINITY, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_SLACK, 0, INFINITY, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_STATIC, 0, INFINITY, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, 0, INFINITY, 0},
-    {PM_TABLE_START, PM_START_VALUE, -INFINITY, INFINITY, 0},
-};
-
-static int check_bounds(pm_workspace *w)
-{
-    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++) {
-        const pm_bounds *x = &bounds[k];
-        const int columns = pm_reference_columns[x->table], rows = w->model->rows[x->table];
-        const int32_t *e = w->model->table[x->table] + x->column;
-        for (int i = 0; i < rows; i++, e += columns) {
-            if (*e == PM_NONE) continue;
-            const double value = w->numbers.value[*e];
-            const int finite = isfinite(value), enough = x->strict ? value > x->low : value >= x->low;
-            if (finite && enough && value <= x->high) continue;
-            return out_of_bound(&w->result, x->table, i, x->column, value,
-                                finite && value > x->high ? x->high : x->low);
-        }
-    }
-    return PM_OK;
 }
 
 static int read_bodies(pm_workspace *w)
@@ -142,7 +79,7 @@ static int check_partners(pm_workspace *w, int contact)
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {
-        radius = fmax(radius, w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
+        radius = pm_max(w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]], radius);
         return radius == 0 ? PM_OK
                            : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
     }
@@ -152,7 +89,7 @@ static int check_partners(pm_workspace *w, int contact)
                          : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_TO, to, from);
     }
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE) {
-        radius = fmax(radius, w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]);
+        radius = pm_max(w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]], radius);
         const int status = check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
                                       e[PM_CONTACT_SIDE]);
         if (status) return status;
@@ -196,7 +133,7 @@ static void read_settings(pm_workspace *w)
 static void mark_light(pm_numbers *numbers, int nbody)
 {
     double greatest = 0;
-    for (int i = 0; i < nbody; i++) greatest = fmax(greatest, numbers->mass[i]);
+    for (int i = 0; i < nbody; i++) greatest = pm_max(numbers->mass[i], greatest);
     numbers->light_any = 0;
     for (int i = 0; i < 3 * nbody; i++) {
         const double whole = greatest * (i % 3 == 2 ? numbers->size * numbers->size : 1);
@@ -214,7 +151,7 @@ static int set_stand_ins(pm_workspace *w)
     double least = INFINITY;
     w->numbers.massless = 0;
     for (int i = 0; i < m->nbody; i++)
-        if (w->numbers.mass[i] > 0) least = fmin(least, w->numbers.mass[i]);
+        if (w->numbers.mass[i] > 0) least = pm_min(w->numbers.mass[i], least);
     for (int i = 0; i < m->nq; i++) {
         const int none = isinf(w->numbers.inverse_mass[i]);
         if (none && isinf(least)) return out_of_bound(&w->result, PM_TABLE_BODY, i / 3, PM_BODY_MASS, 0, 0);
@@ -240,20 +177,20 @@ static void set_size(const pm_frame *frame, pm_numbers *numbers)
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 2; k++) {
             const double x = numbers->value[PM_BODY_ROW(m, i)[PM_BODY_X + k]];
-            low[k] = fmin(low[k], x);
-            high[k] = fmax(high[k], x);
+            low[k] = pm_min(x, low[k]);
+            high[k] = pm_max(x, high[k]);
         }
-    for (int k = 0; k < 2 && m->nbody > 0; k++) size = fmax(size, high[k] - low[k]);
+    for (int k = 0; k < 2 && m->nbody > 0; k++) size = pm_max(high[k] - low[k], size);
     for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
         const int32_t *e = PM_POINT_ROW(m, i);
         if (e[PM_POINT_BODY] != PM_GROUND)
-            size = fmax(size, hypot(numbers->value[e[PM_POINT_X]], numbers->value[e[PM_POINT_Y]]));
+            size = pm_max(hypot(numbers->value[e[PM_POINT_X]], numbers->value[e[PM_POINT_Y]]), size);
     }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++)
-        if (!is_on_ground(m, i)) size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
+        if (!is_on_ground(m, i)) size = pm_max(numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]], size);
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         const int32_t *e = PM_JOINT_ROW(m, i);
-        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = fmax(size, numbers->value[e[PM_JOINT_VALUE]]);
+        if (e[PM_JOINT_KIND] == PM_JOINT_LINK) size = pm_max(numbers->value[e[PM_JOINT_VALUE]], size);
     }
     if (size == 0) /* a particle alone: how far it is from the ground's marks */
         for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
@@ -263,8 +200,8 @@ static void set_size(const pm_frame *frame, pm_numbers *numbers)
                 size, hypot(numbers->value[e[PM_POINT_X]] - low[0], numbers->value[e[PM_POINT_Y]] - low[1]));
         }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) /* a small peg is not all that there is */
-        if (is_on_ground(m, i)) size = fmax(size, numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]]);
-    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++) size = fmax(size, 0.5 * pm_curve_extent(frame, i));
+        if (is_on_ground(m, i)) size = pm_max(numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]], size);
+    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++) size = pm_max(0.5 * pm_curve_extent(frame, i), size);
     numbers->size = size > 0 && isfinite(size) ? size : 1;
 }
 
@@ -284,7 +221,7 @@ int pm_case_speed(const pm_model *model, pm_numbers *numbers, const double *v)
 {
     double fastest = 0;
     for (int i = 0; i < model->nq; i++)
-        fastest = fmax(fastest, fabs(v[i]) * (i % 3 == 2 ? numbers->size : 1));
+        fastest = pm_max(fabs(v[i]) * (i % 3 == 2 ? numbers->size : 1), fastest);
     if (!(fastest > PM_FASTER * numbers->speed)) return 0;
     numbers->speed = fastest;
     return 1;
@@ -308,7 +245,7 @@ double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, cons
     double rate = 0;
     for (int i = 0; i < model->nq; i++) {
         const double length = i % 3 == 2 ? 1 : numbers->size;
-        rate = fmax(rate, fmax(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)));
+        rate = pm_max(pm_max(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)), rate);
     }
     return rate > 0 ? numbers->coarse / rate : INFINITY;
 }
@@ -316,7 +253,7 @@ double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, cons
 int pm_case_begin(pm_workspace *w, const double *param)
 {
     int status = pm_case_values(w, param);
-    if (!status) status = check_bounds(w);
+    if (!status) status = pm_case_values_check(w);
     if (status) return status;
     read_settings(w);
     status = read_bodies(w);

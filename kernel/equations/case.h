@@ -4,8 +4,6 @@
 
 #include "state/workspace.h"
 
-/* The value table alone, from the parameters. */
-int pm_case_values(pm_workspace *w, const double *param);
 /* Computes the value table from the parameters and checks it; fills masses, gravity, size, tolerance. */
 int pm_case_begin(pm_workspace *w, const double *param);
 /* s of computing time, INFINITY where there is no limit. */

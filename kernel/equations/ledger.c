@@ -21,6 +21,7 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -291,9 +292,10 @@ static void weigh(pm_workspace *w, double *audit, double *bound)
     const double energy_open =
         energy(w) - w->ledger.energy_start - work_of_forces(w->model, &w->state) + w->ledger.energy_lost;
     const double mass = pm_frame_total_mass(&w->frame);
-    w->ledger.momentum_scale = fmax(w->ledger.momentum_scale, PM_LEDGER_SLOWEST * mass * w->numbers.speed);
-    w->ledger.energy_scale = fmax(w->ledger.energy_scale, PM_LEDGER_SLOWEST * PM_LEDGER_SLOWEST * mass *
-                                                              w->numbers.speed * w->numbers.speed);
+    w->ledger.momentum_scale = pm_max(PM_LEDGER_SLOWEST * mass * w->numbers.speed, w->ledger.momentum_scale);
+    w->ledger.energy_scale =
+        pm_max(PM_LEDGER_SLOWEST * PM_LEDGER_SLOWEST * mass * w->numbers.speed * w->numbers.speed,
+               w->ledger.energy_scale);
     audit[PM_AUDIT_ENERGY] = w->ledger.energy_scale > 0 ? fabs(energy_open) / w->ledger.energy_scale : 0;
     if (w->ledger.evidence > audit[PM_AUDIT_ENERGY])
         audit[PM_AUDIT_ENERGY] = w->ledger.evidence; /* a NaN stays */

@@ -7,6 +7,7 @@
 #include "elements/constraint.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -74,7 +75,7 @@ double pm_projection_residual(const pm_frame *frame, const pm_active_set *active
     for (int i = 0; i < active->n; i++) {
         const pm_constraint *x = &active->constraint[i];
         const double slip = pm_constraint_times(frame, x, frame->v) - x->rate;
-        worst = fmax(worst, fmax(fabs(x->g) / frame->numbers->size, fabs(slip) / frame->numbers->speed));
+        worst = pm_max(fmax(fabs(x->g) / frame->numbers->size, fabs(slip) / frame->numbers->speed), worst);
     }
     return worst;
 }

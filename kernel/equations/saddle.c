@@ -18,6 +18,7 @@
 #include "equations/saddle_light.h"
 #include "equations/solve_cache.h"
 #include "numerics/dense.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -165,7 +166,7 @@ static double least_pivot(const pm_saddle *s)
         const double all = coupled(s, &s->active->constraint[i], s->active->constraint[i].j,
                                    &s->active->constraint[i], s->active->constraint[i].j),
                      *left = s->schur + i * n + i;
-        least = fmin(least, 1 / (all * *left * *left));
+        least = pm_min(1 / (all * *left * *left), least);
     }
     return least;
 }
@@ -291,16 +292,16 @@ static double change(const pm_active_set *active, const pm_saddle *saddle, const
                      const double *before, const double *x, int *worst)
 {
     double most = 0, scale = 0, reaction = 0;
-    for (int i = 0; i < active->n; i++) reaction = fmax(reaction, fabs(saddle->rhs[i]));
+    for (int i = 0; i < active->n; i++) reaction = pm_max(fabs(saddle->rhs[i]), reaction);
     for (int i = 0; i < saddle->model->nq; i++) {
         const double length = i % 3 == 2 ? saddle->numbers->size : 1;
         const double off = fabs(x[i] - before[i]) * length;
-        scale = fmax(scale, fabs(x[i]) * length);
-        if (force) scale = fmax(scale, fabs(saddle->numbers->inverse_mass[i] * force[i]) * length);
+        scale = pm_max(fabs(x[i]) * length, scale);
+        if (force) scale = pm_max(fabs(saddle->numbers->inverse_mass[i] * force[i]) * length, scale);
         if (saddle->numbers->stand_in[i] > 0)
-            scale = fmax(scale, saddle->numbers->inverse_mass[i] * reaction * length * length);
+            scale = pm_max(saddle->numbers->inverse_mass[i] * reaction * length * length, scale);
         if (off > most) *worst = i;
-        most = fmax(most, off);
+        most = pm_max(off, most);
     }
     return scale > 0 ? most / scale : 0;
 }

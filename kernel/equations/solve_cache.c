@@ -10,6 +10,7 @@
 
 #include "elements/constraint.h"
 #include "elements/force.h"
+#include "numerics/lanes.h"
 #include "state/arena.h"
 #include "state/workspace.h"
 
@@ -75,8 +76,8 @@ int pm_solve_cache_take(pm_workspace *w)
 {
     const pm_solve_cache *r = w->cache;
     if (!pm_solve_cache_take_constraints(w)) return 0;
-    memcpy(w->frame.a, r->a, (size_t)w->model->nq * sizeof(double));
-    memcpy(w->frame.lambda, r->lambda, (size_t)w->active.n * sizeof(double));
+    pm_lanes_copy_threes(w->frame.a, r->a, w->model->nbody);
+    for (int i = 0; i < w->active.n; i++) w->frame.lambda[i] = r->lambda[i];
     pm_force_all(w);
     w->frame.level = PM_LEVEL_DYNAMIC;
     return 1;
@@ -89,10 +90,9 @@ void pm_solve_cache_keep(pm_workspace *w)
     r->known = applies(w);
     if (!r->known) return;
     r->active_version = w->active.version;
-    for (int i = 0; i < w->model->nbody; i++)
-        memcpy(r->pose + 3 * i, w->frame.pose + 5 * i, 3 * sizeof(double));
-    memcpy(r->velocity, w->frame.velocity, (size_t)w->model->nq * sizeof(double));
-    memcpy(r->a, w->frame.a, (size_t)w->model->nq * sizeof(double));
+    for (int i = 0; i < w->model->nbody; i++) pm_lanes_copy_threes(r->pose + 3 * i, w->frame.pose + 5 * i, 1);
+    pm_lanes_copy_threes(r->velocity, w->frame.velocity, w->model->nbody);
+    pm_lanes_copy_threes(r->a, w->frame.a, w->model->nbody);
     memcpy(r->lambda, w->frame.lambda, (size_t)w->active.n * sizeof(double));
     memcpy(r->constraint, w->active.constraint, (size_t)w->active.n * sizeof(pm_constraint));
     memcpy(r->memory, w->frame.memory, (size_t)w->model->nmemory * sizeof(pm_memory));

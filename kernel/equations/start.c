@@ -19,6 +19,7 @@
 #include "equations/case.h"
 #include "equations/least_change.h"
 #include "numerics/islands.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "scene/build.h"
 #include "state/frame.h"
@@ -114,7 +115,7 @@ static int take_written(pm_workspace *w, pm_least_change *s, double *dense, cons
         double miss, size = 0;
         pm_measure_start_gradient(w, pm_start_measure(w->model, i), PM_START_VELOCITY, dense);
         note_written(w->model, islands, dense, value);
-        for (int k = 0; k < w->model->nq; k++) size = fmax(size, fabs(dense[k] * s->x[k]));
+        for (int k = 0; k < w->model->nq; k++) size = pm_max(fabs(dense[k] * s->x[k]), size);
         if (pm_least_change_take(&w->active, &w->saddle, s, dense, value, &miss) ||
             fabs(miss) <= PM_START_AGREES * fmax(size, fabs(value)))
             continue;

@@ -10,6 +10,7 @@
 #include "elements/measure.h"
 #include "equations/active_set.h"
 #include "equations/least_change.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -90,7 +91,7 @@ static void limit_step(const pm_model *model, const pm_numbers *numbers, double 
 {
     double longest = 0;
     for (int i = 0; i < model->nq; i++)
-        longest = fmax(longest, fabs(x[i]) * (i % 3 == 2 ? numbers->size : 1));
+        longest = pm_max(fabs(x[i]) * (i % 3 == 2 ? numbers->size : 1), longest);
     const double factor =
         longest > PM_ASSEMBLY_LONGEST * numbers->size ? PM_ASSEMBLY_LONGEST * numbers->size / longest : 1;
     for (int i = 0; i < model->nq; i++) x[i] *= factor;
@@ -109,7 +110,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
         const int gains = report->opening < PM_GAIN * best;
         if (!(report->opening > PM_ASSEMBLED * w->numbers.size) || (report->opening <= allowed && !gains))
             break;
-        best = fmin(best, report->opening);
+        best = pm_min(report->opening, best);
         position_step(w, x, dense);
         limit_step(w->model, &w->numbers, x);
         for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];

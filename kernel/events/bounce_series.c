@@ -24,6 +24,7 @@
 #include "elements/contact.h"
 #include "elements/trigger.h"
 #include "events/event.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
 #include "state/workspace.h"
@@ -304,7 +305,7 @@ double pm_bounce_series_next(const pm_workspace *w)
     double next = INFINITY;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const double over = w->event->series[i].over;
-        if (over > w->state.t) next = fmin(next, over);
+        if (over > w->state.t) next = pm_min(over, next);
     }
     return next;
 }

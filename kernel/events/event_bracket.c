@@ -200,7 +200,7 @@ static void join(const pm_event_function *f, pm_event_course *of)
     int k = 0;
     while (k < of->n && fabs(of->g[k]) <= PM_ON_ZERO * of->biggest) k++;
     const int apart = (f->left > 0 && of->g[0] <= 0) || (f->left < 0 && of->g[0] >= 0);
-    if (!f->held && apart && k < of->n) of->g[0] = copysign(DBL_MIN, f->left);
+    if (!f->held && apart && k < of->n) pm_event_course_set(of, 0, copysign(DBL_MIN, f->left));
 }
 
 /* Moves *first on to the node from which its side is known (n: none); 1 if there is a bracket before it. */
@@ -266,7 +266,8 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_samples_take(&w->step, w->event, i, &of);
     const int last = of.n - 1;
     int first = 0;
-    if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest) of.g[last] = 0; /* there the phase ends */
+    if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest)
+        pm_event_course_set(&of, last, 0); /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;
     if (pm_event_changes_sign(f) && first == 0) join(f, &of);

@@ -6,9 +6,10 @@
 
 /* ---- event_samples.c: a function of the phase along the last step, and how far its samples show it ---- */
 typedef struct pm_event_course {
-    double g[PM_NODES_MOST];   /* values at the nodes */
+    const double *g;           /* [n] values at the nodes: the samples, or `own` */
     double biggest, low, high; /* of their sizes; of them */
     int n;
+    double own[PM_NODES_MOST]; /* values that are not the samples */
 } pm_event_course;
 
 /* The route leaves its zeros to the samples, and the step may reach it. */
@@ -20,6 +21,8 @@ static inline int pm_event_samples_wanted(const struct pm_event_set *event, cons
 /* Value of a function (pm_event_function) of the workspace at x, on the dense output; NaN where the route cannot look. */
 double pm_event_samples_along(void *workspace, double x, void *function);
 void pm_event_samples_take(const pm_step *step, struct pm_event_set *event, int i, pm_event_course *x);
+/* Makes the value at a node another one, in the course alone. */
+void pm_event_course_set(pm_event_course *x, int node, double value);
 /* How far the samples x of function i do not show it, of their sizes; INFINITY between equidistant nodes. */
 double pm_event_samples_tail(const pm_step *step, struct pm_event_set *event, int i,
                              const pm_event_course *x);

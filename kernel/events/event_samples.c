@@ -11,6 +11,7 @@
 #include "events/event_parts.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "elements/contact.h"
 #include "elements/edge.h"
@@ -91,16 +92,14 @@ static void sample_triggers(pm_workspace *w)
         double *value = pm_event_samples(w->event, i);
         if (f->owned) continue;
         pm_watched_samples_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
-        double least = e->least[f->index], greatest = e->greatest[f->index];
+        double least = INFINITY, greatest = -INFINITY;
         for (int k = 0; k < w->step.nodes->n; k++) {
             least = pm_min(value[k], least);
             greatest = pm_max(value[k], greatest);
         }
-        double size = 0;
-        for (int k = 0; k < w->step.nodes->n; k++) size = pm_max(fabs(value[k]), size);
-        e->last[f->index] = size;
-        e->least[f->index] = least;
-        e->greatest[f->index] = greatest;
+        e->last[f->index] = pm_max(pm_max(greatest, -least), 0);
+        e->least[f->index] = pm_min(least, e->least[f->index]);
+        e->greatest[f->index] = pm_max(greatest, e->greatest[f->index]);
     }
 }
 
@@ -238,15 +237,24 @@ void pm_event_samples_take(const pm_step *step, pm_event_set *event, int i, pm_e
 {
     const pm_event_function *f = &event->function[i];
     const double *value = pm_event_samples(event, i);
-    x->n = step->nodes->n;
-    x->low = INFINITY;
-    x->high = -INFINITY;
-    for (int k = 0; k < x->n; k++) {
-        x->g[k] = pm_event_of_sample(f, value[k]);
-        x->low = pm_min(x->g[k], x->low);
-        x->high = pm_max(x->g[k], x->high);
+    const int n = x->n = step->nodes->n;
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; f->every && k < n; k++) x->own[k] = pm_event_of_sample(f, value[k]);
+    x->g = f->every ? x->own : value;
+    for (int k = 0; k < n; k++) {
+        low = pm_min(x->g[k], low);
+        high = pm_max(x->g[k], high);
     }
-    x->biggest = pm_max(x->high, -x->low);
+    x->low = low;
+    x->high = high;
+    x->biggest = pm_max(high, -low);
+}
+
+void pm_event_course_set(pm_event_course *x, int node, double value)
+{
+    if (x->g != x->own) memcpy(x->own, x->g, (size_t)x->n * sizeof *x->own);
+    x->g = x->own;
+    x->own[node] = value;
 }
 
 double pm_event_samples_tail(const pm_step *step, pm_event_set *event, int i, const pm_event_course *x)

@@ -105,15 +105,13 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
 }
 
 /* The last sample of function i not after `place` that is beyond rounding, or what it was before; 0 if it has fired since. */
-static double last_side(const pm_step *step, pm_event_set *e, int i, double place)
+static double last_side(const pm_event_set *e, const pm_event_function *f, const pm_event_course *of,
+                        double place)
 {
-    const pm_event_function *f = &e->function[i];
     const double fired = f->held ? f->since : -INFINITY;
-    pm_event_course of;
-    pm_event_samples_take(step, e, i, &of);
-    for (int k = of.n - 1; k >= 0; k--)
-        if (e->place[k] <= place && e->place[k] > fired && fabs(of.g[k]) > PM_ON_ZERO * of.biggest)
-            return of.g[k];
+    for (int k = of->n - 1; k >= 0; k--)
+        if (e->place[k] <= place && e->place[k] > fired && fabs(of->g[k]) > PM_ON_ZERO * of->biggest)
+            return of->g[k];
     return f->held ? 0 : f->left;
 }
 
@@ -122,7 +120,12 @@ void pm_event_search_keep_sides(pm_workspace *w, double first)
     pm_event_set *e = w->event;
     memset(e->came, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER] * sizeof(double));
     e->came_jumps = w->result.count[PM_COUNT_JUMPS];
-    for (int i = 0; i < e->ntrigger; i++) e->came[e->function[i].index] = last_side(&w->step, e, i, first);
+    for (int i = 0; i < e->ntrigger; i++) {
+        const pm_event_function *f = &e->function[i];
+        pm_event_course of;
+        pm_event_samples_take(&w->step, e, i, &of);
+        e->came[f->index] = last_side(e, f, &of, first);
+    }
 }
 
 void pm_event_search_leave(const pm_step *step, pm_event_set *e)
@@ -131,9 +134,9 @@ void pm_event_search_leave(const pm_step *step, pm_event_set *e)
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(e, f)) continue;
-        f->left = last_side(step, e, i, INFINITY);
         pm_event_course of;
         pm_event_samples_take(step, e, i, &of);
+        f->left = last_side(e, f, &of, INFINITY);
         if (fabs(of.g[last]) > f->slack) {
             if (f->held && f->left == 0)
                 f->left = of.g[last]; /* has just fired, and is beyond zero by rounding */

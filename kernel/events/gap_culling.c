@@ -12,9 +12,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "events/event.h"
+#include "numerics/lanes.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -29,9 +32,8 @@ void pm_gap_culling_begin(pm_gap_culling *x, const pm_frame *frame)
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) {
         const int32_t *p = PM_POINT_ROW(m, PM_CIRCLE_ROW(m, i)[PM_CIRCLE_POINT]);
         const int body = p[PM_POINT_BODY];
-        if (body != PM_GROUND)
-            x->radius[body] = fmax(x->radius[body], hypot(frame->numbers->value[p[PM_POINT_X]],
-                                                          frame->numbers->value[p[PM_POINT_Y]]));
+        const double at[2] = {frame->numbers->value[p[PM_POINT_X]], frame->numbers->value[p[PM_POINT_Y]]};
+        if (body != PM_GROUND) x->radius[body] = pm_max(pm_length(at), x->radius[body]);
     }
 }
 
@@ -77,11 +79,12 @@ void pm_gap_culling_node(pm_gap_culling *x, const pm_frame *frame, int node)
     for (int i = 0; i < frame->model->nbody; i++) {
         const double *pose = frame->pose + 5 * i;
         double *from = x->from + 3 * i;
-        if (node == 0)
-            memcpy(from, pose, 3 * sizeof(double));
-        else
-            x->moved[i] = fmax(x->moved[i], hypot(pose[0] - from[0], pose[1] - from[1]) +
-                                                x->radius[i] * fabs(pose[2] - from[2]));
+        if (node == 0) {
+            pm_lanes_copy_threes(from, pose, 1);
+            continue;
+        }
+        const double way[2] = {pose[0] - from[0], pose[1] - from[1]};
+        x->moved[i] = pm_max(pm_length(way) + x->radius[i] * fabs(pose[2] - from[2]), x->moved[i]);
     }
 }
 

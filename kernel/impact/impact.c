@@ -27,6 +27,7 @@
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/arena.h"
 #include "state/evidence.h"
@@ -118,7 +119,7 @@ static int find_touching(pm_workspace *w, pm_blow *b, int *struck)
                 x.approaches = pm_capture_speed(&w->frame, &w->state, slot) > pm_contact_speed(&w->frame);
             if (!x.approaches && !x.rests) continue;
             b->share[slot] = PM_STRUCK;
-            b->approach = fmax(b->approach, fabs(x.rate));
+            b->approach = pm_max(fabs(x.rate), b->approach);
             b->ends_bounce |= x.rests;
             if (x.approaches) {
                 pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);

@@ -15,6 +15,7 @@
 #include "impact/contact_modes.h"
 #include "impact/impact.h"
 #include "impact/impact_parts.h"
+#include "numerics/minmax.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -189,7 +190,7 @@ static int one_approaches(pm_workspace *w, const pm_blow *b)
 int pm_impact_trial_is_whole(pm_workspace *w, const pm_blow *b)
 {
     double size = 0;
-    for (int i = 0; i < w->active.n; i++) size = fmax(size, fabs(w->saddle.rhs[i]));
+    for (int i = 0; i < w->active.n; i++) size = pm_max(fabs(w->saddle.rhs[i]), size);
     return pm_contact_modes_pulling(w, w->saddle.rhs, PM_SITE_PULLS_IN_BLOW, size) == PM_NONE &&
            pm_contact_modes_overcome(w, w->saddle.rhs, PM_SITE_SLIDES_IN_BLOW, size) == PM_NONE &&
            (pm_impact_one_by_one(w->model) || !one_approaches(w, b));

@@ -22,6 +22,13 @@ static inline void pm_lanes_store_three(double *to, pm_lanes x, double third)
     to[2] = third;
 }
 
+/* n times three numbers; of few the call that copies memory costs more than the copy. */
+static inline void pm_lanes_copy_threes(double *to, const double *from, int n)
+{
+    for (const double *end = from + 3 * n; from < end; from += 3, to += 3)
+        pm_lanes_store_three(to, pm_lanes_load(from), from[2]);
+}
+
 /* A vector rotated by a right angle. */
 static inline pm_lanes pm_lanes_left(pm_lanes v) { return (pm_lanes){-v[1], v[0]}; }
 

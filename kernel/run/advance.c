@@ -21,6 +21,7 @@
 #include "events/time_course.h"
 #include "impact/action.h"
 #include "impact/instant.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "run/run.h"
 #include "state/frame.h"
@@ -61,7 +62,7 @@ static void mark_hits(pm_firing *firing, const pm_event_set *e)
 static double next_due(const pm_workspace *w)
 {
     double next = pm_bounce_series_next(w);
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) next = fmin(next, w->event->due[i]);
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) next = pm_min(w->event->due[i], next);
     return next;
 }
 

@@ -22,6 +22,7 @@
 #include "events/motion_course.h"
 #include "events/time_course.h"
 #include "impact/instant.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/repeat.h"
 #include "routes/path/repeat_rest.h"
@@ -86,12 +87,12 @@ static void set_speed_scale(pm_workspace *w)
         fastest =
             fmax(fastest, sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size));
     }
-    fastest = fmax(fastest, fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size);
+    fastest = pm_max(fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size, fastest);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;
     /* nothing to speak of acts or moves: as what crosses the scene, or next to nothing of it, while the run lasts */
     const double crossing = w->numbers.size / pm_case_max_time(w->model, &w->numbers);
     if (w->numbers.speed == 0) w->numbers.speed = crossing;
-    w->numbers.speed = fmax(w->numbers.speed, PM_NO_SPEED * crossing);
+    w->numbers.speed = pm_max(PM_NO_SPEED * crossing, w->numbers.speed);
 }
 
 static int open_ledger(pm_workspace *w)

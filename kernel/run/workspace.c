@@ -5,6 +5,7 @@
 #include "elements/constraint.h"
 #include "elements/joint.h"
 #include "elements/measure.h"
+#include "equations/case_values.h"
 #include "equations/constraint_order.h"
 #include "equations/fixed_bodies.h"
 #include "equations/gap_bounds.h"
@@ -117,6 +118,7 @@ static int create_saddle(pm_workspace *w)
 static int create_rooms(pm_workspace *w)
 {
     int status = create_saddle(w);
+    if (!status) status = pm_case_values_create(w);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->state);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->start);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->probe);

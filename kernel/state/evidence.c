@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -93,7 +94,7 @@ int pm_evidence_has_series(const pm_pass *pass) { return pass->cut || pass->log.
 void pm_evidence_decide(pm_evidence *evidence, double distance, double error)
 {
     if (evidence->active && !evidence->seeks) /* what is sought lies on a threshold */
-        evidence->present->margin = fmin(evidence->present->margin, fabs(distance) / error);
+        evidence->present->margin = pm_min(fabs(distance) / error, evidence->present->margin);
 }
 
 /* The log is full: from now on only every second instant of those kept so far. */

@@ -6,7 +6,8 @@
 #include "state/frame.h"
 
 #include <math.h>
-#include <string.h>
+
+#include "numerics/lanes.h"
 
 /* Cosine and sine of an angle: it is often the one of the last look. */
 static void look_up_angle(double angle[3], double *pose)
@@ -25,6 +26,7 @@ void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, 
 {
     pm_frame *f = frame;
     const int n = frame->model->nbody;
+    const unsigned char *fixed = frame->numbers->fixed;
     f->t = t;
     f->q = q;
     f->v = v;
@@ -32,15 +34,11 @@ void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, 
     f->memory = memory;
     f->level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < n; i++) {
-        double *pose = f->pose + 5 * i, *velocity = f->velocity + 3 * i;
-        if (frame->numbers->fixed[i]) continue; /* as it was looked at when it was found to be fixed */
-        pose[0] = q[3 * i];
-        pose[1] = q[3 * i + 1];
-        pose[2] = q[3 * i + 2];
+        double *pose = f->pose + 5 * i;
+        if (fixed[i]) continue; /* as it was looked at when it was found to be fixed */
+        pm_lanes_copy_threes(pose, q + 3 * i, 1);
         look_up_angle(f->angle + 3 * i, pose);
-        velocity[0] = v[3 * i];
-        velocity[1] = v[3 * i + 1];
-        velocity[2] = v[3 * i + 2];
+        pm_lanes_copy_threes(f->velocity + 3 * i, v + 3 * i, 1);
     }
     f->pose[5 * n + 3] = 1; /* the ground: all else stays 0 */
 }
@@ -53,26 +51,13 @@ void pm_frame_look_placed(pm_frame *frame, const pm_state *s, const double *q, c
     frame->z = s->z;
     frame->memory = s->memory;
     frame->level = PM_LEVEL_KINEMATIC;
-    memcpy(frame->velocity, v, (size_t)frame->model->nq * sizeof *v);
+    pm_lanes_copy_threes(frame->velocity, v, frame->model->nbody);
     frame->pose[5 * frame->model->nbody + 3] = 1;
 }
 
 void pm_frame_look_state(pm_frame *frame, const pm_state *s)
 {
     pm_frame_look(frame, s->t, s->q, s->v, s->z, s->memory);
-}
-
-pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y)
-{
-    const double *pose = frame->pose + 5 * body, *velocity = frame->velocity + 3 * body;
-    pm_point point = {.body = body};
-    point.r[0] = pose[3] * x - pose[4] * y;
-    point.r[1] = pose[4] * x + pose[3] * y;
-    point.p[0] = pose[0] + point.r[0];
-    point.p[1] = pose[1] + point.r[1];
-    point.v[0] = velocity[0] - velocity[2] * point.r[1];
-    point.v[1] = velocity[1] + velocity[2] * point.r[0];
-    return point;
 }
 
 pm_point pm_frame_point_of(const pm_frame *frame, int index)

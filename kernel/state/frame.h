@@ -49,8 +49,19 @@ void pm_frame_look_state(pm_frame *frame, const pm_state *s);
  * at q. */
 void pm_frame_look_placed(pm_frame *frame, const pm_state *s, const double *q, const double *v);
 
-/* A mark at body axes (x, y) of `body` (nbody: the ground). */
-pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y);
+/* A mark at body axes (x, y) of `body` (nbody: the ground).  Here, so that nothing is worked out that nobody reads. */
+static inline pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y)
+{
+    const double *pose = frame->pose + 5 * body, *velocity = frame->velocity + 3 * body;
+    pm_point point = {.body = body};
+    point.r[0] = pose[3] * x - pose[4] * y;
+    point.r[1] = pose[4] * x + pose[3] * y;
+    point.p[0] = pose[0] + point.r[0];
+    point.p[1] = pose[1] + point.r[1];
+    point.v[0] = velocity[0] - velocity[2] * point.r[1];
+    point.v[1] = velocity[1] + velocity[2] * point.r[0];
+    return point;
+}
 /* Point `index` of the point table. */
 pm_point pm_frame_point_of(const pm_frame *frame, int index);
 /* Acceleration of a point; the frame must be DYNAMIC. */

@@ -13,12 +13,13 @@ typedef struct pm_turning_plane {
 } pm_turning_plane;
 
 typedef struct pm_numbers {
-    const double *param;  /* [nparam] of the case, in the caller's array */
-    double *value;        /* [nvalue] */
-    double *folded;       /* [fold->nnumber] of the programs: what stays the same throughout the case */
-    int is_folded;        /* `folded` is worked out */
-    double *mass;         /* [nbody] kg */
-    double *inverse_mass; /* [nq] 1/kg, 1/(kg m^2): diagonal of M^-1; 0: held (a particle's angle) */
+    const double *param;       /* [nparam] of the case, in the caller's array */
+    double *value;             /* [nvalue] */
+    struct pm_case_plan *plan; /* which of them parameters reach (equations/case_values.h) */
+    double *folded;            /* [fold->nnumber] of the programs: what stays the same throughout the case */
+    int is_folded;             /* `folded` is worked out */
+    double *mass;              /* [nbody] kg */
+    double *inverse_mass;      /* [nq] 1/kg, 1/(kg m^2): diagonal of M^-1; 0: held (a particle's angle) */
     double *inverse_root; /* [nq] its square root, but no more than PM_LIGHT_METRIC allows */
     unsigned char *light; /* [nq] next to no inertia beside the heaviest body, of the scene's size */
     int light_any;

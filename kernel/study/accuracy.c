@@ -52,15 +52,13 @@ static int create(pm_workspace *w)
 #define OF_EACH_PASS(array, count) \
     PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
     const pm_array array[] = {
-        OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),
-        OF_EACH_PASS(more, m->nout),         OF_EACH_PASS(extreme, 2 * ntrigger),
-        OF_EACH_PASS(reason, m->nask),       PM_ARRAY(e->size.ask, m->nask),
-        PM_ARRAY(e->size.trigger, ntrigger), PM_ARRAY(e->size.terms, m->nask),
-        PM_ARRAY(e->size.largest, m->nask),  PM_ARRAY(e->kept, m->nout),
+        OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),  OF_EACH_PASS(more, m->nout),
+        OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask), PM_ARRAY(e->kept, m->nout),
         PM_ARRAY(e->discrete, m->nask),
     };
 #undef OF_EACH_PASS
-    if (pm_arena_take(&w->memory, PM_ARRAYS(array)) || create_logs(w)) return PM_NO_MEMORY;
+    if (pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_natural_size_create(w, &e->size) || create_logs(w))
+        return PM_NO_MEMORY;
     for (int i = 0; i < m->nask; i++) {
         const int32_t *row = PM_ASK_ROW(m, i);
         e->discrete[i] =

@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "equations/case.h"
+#include "equations/case_values.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
 #include "numerics/tolerances.h"

@@ -15,6 +15,7 @@
 
 #include "events/ask.h"
 #include "expression/program_class.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/route.h"
 #include "state/workspace.h"
@@ -52,7 +53,7 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
             if (e->discrete[i]) continue;
             error[k] = fmax(isnan(e->main->error[k]) ? share * error[k] : e->main->error[k], least);
             error[k] += e->main->more[k];
-            excess = fmax(excess, error[k] / (w->numbers.accuracy * fmax(scale, e->size.terms[i])));
+            excess = pm_max(error[k] / (w->numbers.accuracy * fmax(scale, e->size.terms[i])), excess);
         }
     }
     return excess;

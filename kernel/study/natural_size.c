@@ -19,8 +19,11 @@
 #include "events/ask.h"
 #include "events/derived.h"
 #include "events/integral.h"
+#include "expression/operation.h"
 #include "expression/program.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
+#include "state/arena.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -69,36 +72,41 @@ static double all_forces(const pm_workspace *w)
     return sum;
 }
 
-/* The greatest that there was in the run of what a measure of this kind reads; 0: it has no error. */
-static double greatest(const pm_workspace *w, int kind)
-{
-    const pm_numbers *n = &w->numbers;
-    const double acceleration = hypot(n->gravity[0], n->gravity[1]) + n->speed * n->speed / n->size;
-    switch ((enum pm_measure_kind)kind) {
-    case PM_MEASURE_TIME:
-    case PM_MEASURE_EVENT_TIME: return w->state.t;
-    case PM_MEASURE_VELOCITY:
-    case PM_MEASURE_CONTACT_SLIP: return n->speed;
-    case PM_MEASURE_ACCELERATION: return acceleration;
-    case PM_MEASURE_ALPHA: return acceleration / n->size;
-    case PM_MEASURE_KINETIC:
-    case PM_MEASURE_TOTAL:
-    case PM_MEASURE_LOST:
-    case PM_MEASURE_FORCE_WORK: return most_energy(w);
-    case PM_MEASURE_MOMENTUM:
-    case PM_MEASURE_JOINT_IMPULSE:
-    case PM_MEASURE_CONTACT_IMPULSE: return most_momentum(w);
-    case PM_MEASURE_ANGULAR_MOMENTUM: return most_momentum(w) * n->size;
-    case PM_MEASURE_JOINT_FORCE:
-    case PM_MEASURE_JOINT_NORMAL:
-    case PM_MEASURE_JOINT_FRICTION:
-    case PM_MEASURE_CONTACT_NORMAL:
-    case PM_MEASURE_CONTACT_FRICTION:
-    case PM_MEASURE_CONTACT_FORCE: return all_forces(w);
-    case PM_MEASURE_JOINT_COUPLE: return all_forces(w) * n->size;
-    default: return 0; /* the state says how large it is */
-    }
-}
+static double whole_time(const pm_workspace *w) { return w->state.t; }
+static double greatest_speed(const pm_workspace *w) { return w->numbers.speed; }
+static double acceleration(const pm_workspace *w) { return pm_case_acceleration(&w->numbers); }
+static double alpha(const pm_workspace *w) { return acceleration(w) / w->numbers.size; }
+static double most_angular(const pm_workspace *w) { return most_momentum(w) * w->numbers.size; }
+static double all_couples(const pm_workspace *w) { return all_forces(w) * w->numbers.size; }
+
+/* The greatest that there was in the run of what a measure of this kind reads; NULL: the state says how large it is. */
+static double (*const greatest[PM_MEASURE_KINDS])(const pm_workspace *w) = {
+    [PM_MEASURE_TIME] = whole_time,
+    [PM_MEASURE_EVENT_TIME] = whole_time,
+    [PM_MEASURE_VELOCITY] = greatest_speed,
+    [PM_MEASURE_CONTACT_SLIP] = greatest_speed,
+    [PM_MEASURE_ACCELERATION] = acceleration,
+    [PM_MEASURE_ALPHA] = alpha,
+    [PM_MEASURE_KINETIC] = most_energy,
+    [PM_MEASURE_TOTAL] = most_energy,
+    [PM_MEASURE_LOST] = most_energy,
+    [PM_MEASURE_FORCE_WORK] = most_energy,
+    [PM_MEASURE_MOMENTUM] = most_momentum,
+    [PM_MEASURE_JOINT_IMPULSE] = most_momentum,
+    [PM_MEASURE_CONTACT_IMPULSE] = most_momentum,
+    [PM_MEASURE_ANGULAR_MOMENTUM] = most_angular,
+    [PM_MEASURE_JOINT_FORCE] = all_forces,
+    [PM_MEASURE_JOINT_NORMAL] = all_forces,
+    [PM_MEASURE_JOINT_FRICTION] = all_forces,
+    [PM_MEASURE_CONTACT_NORMAL] = all_forces,
+    [PM_MEASURE_CONTACT_FRICTION] = all_forces,
+    [PM_MEASURE_CONTACT_FORCE] = all_forces,
+    [PM_MEASURE_JOINT_COUPLE] = all_couples,
+};
+
+static int kind_of(const pm_model *m, int measure) { return PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND]; }
+
+static int has_greatest(const pm_model *m, int measure) { return greatest[kind_of(m, measure)] != NULL; }
 
 enum {
     AS_THEY_ARE,
@@ -116,9 +124,9 @@ static double part_of(int pattern, int measure)
 
 static double read_shifted(pm_workspace *w, int measure)
 {
-    const double value = pm_measure_signed(w, measure),
-                 size = greatest(w, PM_MEASURE_ROW(w->model, measure)[PM_MEASURE_KIND]);
-    return value + PM_SHIFT * part_of(w->evidence.pattern, measure) * size;
+    const double value = pm_measure_signed(w, measure);
+    if (!has_greatest(w->model, measure)) return value;
+    return value + PM_SHIFT * part_of(w->evidence.pattern, measure) * greatest[kind_of(w->model, measure)](w);
 }
 
 static double run_shifted(pm_workspace *w, int ask, int pattern)
@@ -128,14 +136,15 @@ static double run_shifted(pm_workspace *w, int ask, int pattern)
 }
 
 /* The frame looks at the state. */
-static void find_terms(pm_workspace *w, double *terms)
+static void find_terms(pm_workspace *w, const pm_natural_size *x)
 {
     double (*const read)(pm_workspace * w, int measure) = w->read_measure;
     w->read_measure = read_shifted;
     for (int i = 0; i < w->model->nask; i++) {
+        if (!x->shifts[i]) continue;
         const double value = run_shifted(w, i, AS_THEY_ARE);
         for (int k = ALIKE; k < PATTERNS; k++)
-            terms[i] = fmax(size_of(run_shifted(w, i, k), value, PM_SHIFT), terms[i]);
+            x->terms[i] = fmax(size_of(run_shifted(w, i, k), value, PM_SHIFT), x->terms[i]);
     }
     w->read_measure = read;
 }
@@ -146,7 +155,7 @@ static void take_integral(const pm_workspace *w, pm_natural_size *x, int ask)
     const int summed = PM_ASK_ROW(w->model, ask)[PM_ASK_KIND] == PM_ASK_INTEGRAL;
     if (w->ask->switches[ask] > 0) x->ask[ask] = x->terms[ask] = 0;
     if (summed) x->ask[ask] *= w->state.t, x->terms[ask] *= w->state.t;
-    x->terms[ask] = fmax(x->terms[ask], pm_integral_terms(w, ask));
+    x->terms[ask] = pm_max(pm_integral_terms(w, ask), x->terms[ask]);
 }
 
 /* Asks that read others, which stand before them. */
@@ -160,6 +169,20 @@ static void add_derived(pm_workspace *w, pm_natural_size *x)
     }
 }
 
+int pm_natural_size_create(pm_workspace *w, pm_natural_size *x)
+{
+    const pm_model *m = w->model;
+    const pm_array array[] = {
+        PM_ARRAY(x->ask, m->nask),     PM_ARRAY(x->terms, m->nask),
+        PM_ARRAY(x->largest, m->nask), PM_ARRAY(x->trigger, m->rows[PM_TABLE_TRIGGER]),
+        PM_ARRAY(x->shifts, m->nask),
+    };
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    for (int i = 0; i < m->nask && !status; i++)
+        x->shifts[i] = pm_program_reads(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], has_greatest) != PM_NONE;
+    return status;
+}
+
 void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, double *trigger)
 {
     const int nask = w->model->nask, ntrigger = w->model->rows[PM_TABLE_TRIGGER];
@@ -167,7 +190,7 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
     memset(x->terms, 0, (size_t)nask * sizeof(double));
     memset(x->trigger, 0, (size_t)ntrigger * sizeof(double));
     if (look_at_programs(w, &w->state, ask, trigger)) return;
-    find_terms(w, x->terms);
+    find_terms(w, x);
     const double part = pm_case_shift(w, &w->probe);
     if (look_at_programs(w, &w->probe, x->ask, x->trigger)) return;
     for (int i = 0; i < nask; i++) x->ask[i] = size_of(x->ask[i], ask[i], part);

@@ -9,8 +9,10 @@ typedef struct pm_natural_size {
     double *terms;   /* [nask] the same, of all that it reads by the greatest of their kinds in the run */
     double *largest; /* [nask] the greater of both */
     double *trigger; /* [ntrigger] as ask */
+    unsigned char *shifts; /* [nask] it reads a kind of quantity that `terms` is about */
 } pm_natural_size;
 
+int pm_natural_size_create(pm_workspace *w, pm_natural_size *x);
 /* Sizes at the end of the run that has just been made, in the unit of the answer; scratch: ask[nask], trigger[ntrigger].  0
  * where there is no acceleration at the end. */
 void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, double *trigger);

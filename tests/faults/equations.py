@@ -316,8 +316,20 @@ FAULTS = [
     ),
     Fault("audit: blind at loose accuracy", "equations/ledger.c", "PM_LEDGER_MOST * (", "1e3 * ("),
     Fault(
+        "case: values that read values stay as they were",
+        "equations/case_values.c",
+        "x.op == PM_OP_PARAMETER || (x.op == PM_OP_VALUE && plan->is_varied[x.arg])",
+        "x.op == PM_OP_PARAMETER",
+    ),
+    Fault(
+        "case: constants are checked once",
+        "equations/case_values.c",
+        "if (!status) x->settled = 1;",
+        "x->settled = 1;",
+    ),
+    Fault(
         "case: rows of any length",
-        "equations/case.c",
+        "equations/case_values.c",
         "PM_PATTERN_COUNT, -INFINITY, PM_MOST_MEMBERS",
         "PM_PATTERN_COUNT, -INFINITY, INFINITY",
     ),

@@ -6,8 +6,8 @@ FAULTS = [
     Fault(
         "uniform: joints rub for ever",
         "routes/uniform/route_uniform.c",
-        "end = fmin(end, u->joint_slip_end[i])",
-        "end = fmin(end, INFINITY)",
+        "end = pm_min(u->joint_slip_end[i], end)",
+        "end = pm_min(INFINITY, end)",
     ),
     Fault(
         "uniform: sign of the accelerations",

@@ -71,6 +71,16 @@ static double rate_at(pm_workspace *w, pm_constraint row, const double *directio
     return pm_constraint_times(&w->frame, &row, w->state.v);
 }
 
+/* The gap that is watched is the residual, its rate that by the Jacobian, to the last bit. */
+static void check_gap(const pm_frame *frame, const pm_constraint *row)
+{
+    double rate;
+    if (!pm_constraint_kind(row->kind)->gap) return;
+    NEAR(pm_constraint_kind(row->kind)->gap(frame, row, &rate), row->g, 0);
+    NEAR(pm_constraint_kind(row->kind)->gap(frame, row, NULL), row->g, 0);
+    NEAR(rate, pm_constraint_times(frame, row, frame->v), 0);
+}
+
 static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
 {
     const int nq = w->model->nq;
@@ -80,6 +90,7 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
         pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
     pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
+    check_gap(&w->frame, &row);
     for (int p = 0; p < 2; p++)
         for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++)
             dense[3 * row.body[p] + k] += row.j[3 * p + k];

@@ -7,6 +7,7 @@
  */
 #include <math.h>
 
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/workspace.h"
@@ -19,8 +20,8 @@ int pm_path_cycle(const pm_workspace *w)
     if (p->driver != p->node_driver || p->sense != p->node_sense) return 0;
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->numbers.size : 1;
-        size = fmax(size, fabs(then->tangent[i]) * length);
-        off = fmax(off, fabs(now->tangent[i] - then->tangent[i]) * length);
+        size = pm_max(fabs(then->tangent[i]) * length, size);
+        off = pm_max(fabs(now->tangent[i] - then->tangent[i]) * length, off);
     }
     for (int k = 0; k < p->nodes->n; k++)
         if (!pm_path_node(p, k)->determined) return 0;

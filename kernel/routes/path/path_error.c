@@ -65,7 +65,7 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     if (w->evidence.active && w->state.t > 0)
         w->evidence.present->late = PM_CLOCK_LIKELY * p->clock.unresolved / w->state.t;
     if (w->evidence.active)
-        w->evidence.present->relative = fmax(w->evidence.present->relative, relative_error(p));
+        w->evidence.present->relative = pm_max(relative_error(p), w->evidence.present->relative);
 }
 
 void pm_path_error_barrier(pm_evidence *evidence, const pm_path *path, double distance)
@@ -212,7 +212,7 @@ static void shift_velocities(pm_frame *frame, double factor)
 static double error_of_time(pm_workspace *w, int program, double value)
 {
     pm_frame *f = &w->frame;
-    const double t = f->t, shift = fmax(t, w->path->clock.error);
+    const double t = f->t, shift = pm_max(w->path->clock.error, t);
     if (w->result.count[PM_COUNT_REPEATED_SEGMENTS] > 0) return NAN;
     if (!(shift > 0)) return 0;
     f->t = t + shift;

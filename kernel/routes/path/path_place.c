@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/frame.h"
@@ -35,8 +36,8 @@ static double greatest_lever(const struct pm_tree *tree)
     for (int i = 0; i < tree->model->nbody; i++) {
         const pm_tree_node *x = &tree->node[i];
         if (x->placement == FREE) continue;
-        lever = fmax(lever, pm_length(x->child));
-        if (x->parent != tree->model->nbody) lever = fmax(lever, pm_length(x->mark));
+        lever = pm_max(pm_length(x->child), lever);
+        if (x->parent != tree->model->nbody) lever = pm_max(pm_length(x->mark), lever);
     }
     return lever;
 }

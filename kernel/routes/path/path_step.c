@@ -324,6 +324,6 @@ int pm_path_take_step(pm_workspace *w, double full)
     else if (p->every > 1)
         p->most *= PM_PATH_LENGTHEN;
     w->step.reverses = reverses;
-    p->lowest = fmin(p->lowest, reverses ? 0 : p->least);
+    p->lowest = pm_min(reverses ? 0 : p->least, p->lowest);
     return PM_OK;
 }

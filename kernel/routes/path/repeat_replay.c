@@ -17,6 +17,7 @@
 #include "events/event.h"
 #include "events/event_search.h"
 #include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "routes/path/repeat.h"
@@ -88,13 +89,13 @@ static double least_of(const pm_workspace *w, int i, double side)
         const double half = 0.5 * (nodes->at[k + 1] - nodes->at[k]), a = side * value[k],
                      b = side *
                          (nodes->at[k + 1] <= end ? value[k + 1] : pm_chebyshev_value(nodes, value, 1, end));
-        least = fmin(least, fmin(a, b));
+        least = pm_min(fmin(a, b), least);
         if (!shown) {
-            least = fmin(least, fmin(a, b) - fabs(a - b));
+            least = pm_min(fmin(a, b) - fabs(a - b), least);
         } else {
-            least = fmin(least, a + half * side * pm_chebyshev_slope_at(nodes, value, k));
+            least = pm_min(a + half * side * pm_chebyshev_slope_at(nodes, value, k), least);
             if (nodes->at[k + 1] <= end)
-                least = fmin(least, b - half * side * pm_chebyshev_slope_at(nodes, value, k + 1));
+                least = pm_min(b - half * side * pm_chebyshev_slope_at(nodes, value, k + 1), least);
         }
     }
     return least;

@@ -16,6 +16,7 @@
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "numerics/bracket.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "state/arena.h"
@@ -98,7 +99,7 @@ static double full_step(const pm_workspace *w, const pm_place *x)
         const double most = pm_tree_is_angle(w->tree, i) ? 2 * M_PI / PM_PATH_STEPS_PER_TURN
                                                          : PM_PATH_LENGTH * w->numbers.size;
         const double factor = i == w->path->driver ? 1 : PM_PATH_FASTER;
-        if (x->slope[i] != 0) h = fmin(h, factor * most / fabs(x->slope[i]));
+        if (x->slope[i] != 0) h = pm_min(factor * most / fabs(x->slope[i]), h);
     }
     return h;
 }
@@ -135,7 +136,7 @@ static double next_contact(pm_workspace *w, const pm_place *x)
                     h, way_to(&w->frame, w->path, i, member[k], pm_contact_gap_to(&w->frame, i, member[k])));
         } else {
             const double gap = pm_contact_gap(&w->frame, &w->state, i, member);
-            if (!isinf(gap)) h = fmin(h, way_to(&w->frame, w->path, i, *member, gap));
+            if (!isinf(gap)) h = pm_min(way_to(&w->frame, w->path, i, *member, gap), h);
         }
     }
     return PM_PATH_BEYOND * h;
@@ -145,8 +146,9 @@ static void state_of(const pm_model *model, const pm_path *p, const pm_place *x,
                      pm_state *state)
 {
     const double rate = p->sense * sqrt(2 * (x->kinetic > 0 ? x->kinetic : 0) / x->mass);
-    memcpy(state->q, x->q, (size_t)model->nq * sizeof *x->q);
-    for (int i = 0; i < model->nq; i++) state->v[i] = rate * x->tangent[i];
+    pm_lanes_copy_threes(state->q, x->q, model->nbody);
+    for (int i = 0; i < model->nq; i += 3)
+        pm_lanes_store_three(state->v + i, rate * pm_lanes_load(x->tangent + i), rate * x->tangent[i + 2]);
     if (model->nz_controlled > 0) pm_path_integrals(model, p, s, state->z);
     state->t = t;
 }

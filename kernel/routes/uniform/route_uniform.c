@@ -19,6 +19,7 @@
 #include "events/event.h"
 #include "events/event_search.h"
 #include "expression/program.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "scene/program_degree.h"
@@ -189,7 +190,8 @@ static double first_reversal(pm_workspace *w, double from, double to)
         const double slope = 4 * p[1] - 3 * p[0] - p[2], bend = 2 * (p[0] - 2 * p[1] + p[2]);
         const double reversal = bend != 0 ? -0.5 * slope / bend : INFINITY; /* of h */
         const double rounding = PM_UNIFORM_REVERSAL_ROUNDING * fmax(fabs(p[0]), fabs(p[2])) / fabs(bend);
-        if (reversal > fmax(PM_UNIFORM_TURNED, rounding) && reversal < 1) to = fmin(to, from + reversal * h);
+        if (reversal > fmax(PM_UNIFORM_TURNED, rounding) && reversal < 1)
+            to = pm_min(from + reversal * h, to);
     }
     return to;
 }
@@ -198,12 +200,12 @@ static double first_reversal(pm_workspace *w, double from, double to)
 static double first_contact(pm_workspace *w, double end)
 {
     pm_uniform *u = w->uniform;
-    for (int i = 0; i < w->model->nslot; i++) end = fmin(end, fmin(u->slip_end[i], u->edge_end[i]));
-    for (int i = 0; i < w->model->nfriction; i++) end = fmin(end, u->joint_slip_end[i]);
+    for (int i = 0; i < w->model->nslot; i++) end = pm_min(fmin(u->slip_end[i], u->edge_end[i]), end);
+    for (int i = 0; i < w->model->nfriction; i++) end = pm_min(u->joint_slip_end[i], end);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_closing *x = &u->closing[i];
         pm_uniform_gap(w, i, end);
-        end = fmin(end, x->root < INFINITY ? x->root : x->safe);
+        end = pm_min(x->root < INFINITY ? x->root : x->safe, end);
     }
     return end;
 }

@@ -13,6 +13,7 @@
 #include "elements/edge.h"
 #include "equations/saddle.h"
 #include "events/event.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
@@ -49,7 +50,7 @@ static double open_for(const pm_frame *frame, const pm_uniform *uniform, const p
             return fmin(safe, h);
         }
         const double by_rate = x.rate > 0 ? g / x.rate : INFINITY;
-        safe = fmax(safe, fmin(h, fmax(first_root(g, rate, x.bend), by_rate)));
+        safe = pm_max(fmin(h, fmax(first_root(g, rate, x.bend), by_rate)), safe);
         if (PM_UNIFORM_WIDER * safe >= h) break;
         h = safe > 0 ? PM_UNIFORM_WIDER * safe : PM_UNIFORM_SHORTER * h;
     }
