@@ -69,7 +69,9 @@ enum pm_joint_kind {
     PM_JOINT_SLIDER_PLACE = 16,       /* SLIDER, and a is program_x along line b from its point.  2 */
     PM_JOINT_SLIDER_FIXED_PLACE = 17, /* SLIDER_FIXED, likewise.  3 */
     PM_JOINT_SLOT = 18,               /* a point on curve b: a slot, a bead on a wire.                    1 */
-    PM_JOINT_KINDS = 19
+    PM_JOINT_TEETH = 19, /* GEARS by teeth: their flanks meet at the pressure angle value_2.          1 */
+    PM_JOINT_RACK = 20,  /* a circle meshes with the teeth of line b, at the pressure angle value_2.      1 */
+    PM_JOINT_KINDS = 21
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {
@@ -79,7 +81,9 @@ enum pm_joint_column {
     PM_JOINT_VALUE = 3,
     PM_JOINT_PROGRAM_X = 4, /* prescribed rates or places: of the time alone, or PM_NONE */
     PM_JOINT_PROGRAM_Y = 5,
-    PM_JOINT_COLUMNS = 6
+    PM_JOINT_VALUE_2 =
+        6, /* value index of the pressure angle, 0 .. 60 degrees, of what has teeth; or PM_NONE */
+    PM_JOINT_COLUMNS = 7
 };
 
 /* ---- contacts: push only ------------------------------------------------------------------------------ */

@@ -17,6 +17,8 @@ struct pm_constraint {
     double axis[2];            /* cosine and sine of that direction; of a drive: its axis of the scene */
     double sign;               /* distance constraints: which way is positive */
     double ratio;              /* ratio constraints: angle(a) - ratio angle(b) */
+    double teeth[2];           /* of teeth: cosine and sine of their pressure angle */
+    int flank;                 /* of teeth: 1, -1, or 0: the one that is loaded now (teeth.h) */
     int memory;                /* index of the memory of its anchor, or PM_NONE */
     int curve, foot;           /* of constraints on curves: which, and the memory of its foot; or PM_NONE */
     int joint, slot;           /* owner: one of both is PM_NONE */
@@ -44,7 +46,9 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_RATIO = 9,
     PM_CONSTRAINT_CURVE_NORMAL = 10,
     PM_CONSTRAINT_CURVE_TANGENT = 11,
-    PM_CONSTRAINT_KINDS = 12
+    PM_CONSTRAINT_TEETH = 12,
+    PM_CONSTRAINT_RACK = 13,
+    PM_CONSTRAINT_KINDS = 14
 };
 
 /* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
@@ -84,7 +88,7 @@ typedef struct pm_constraint_ops {
 extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
     pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio, pm_constraint_curve_normal,
-    pm_constraint_curve_tangent;
+    pm_constraint_curve_tangent, pm_constraint_teeth, pm_constraint_rack;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 

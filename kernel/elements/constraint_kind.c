@@ -18,6 +18,8 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_RATIO] = &pm_constraint_ratio,
         [PM_CONSTRAINT_CURVE_NORMAL] = &pm_constraint_curve_normal,
         [PM_CONSTRAINT_CURVE_TANGENT] = &pm_constraint_curve_tangent,
+        [PM_CONSTRAINT_TEETH] = &pm_constraint_teeth,
+        [PM_CONSTRAINT_RACK] = &pm_constraint_rack,
     };
     return kinds[kind];
 }

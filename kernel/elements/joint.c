@@ -82,6 +82,26 @@ static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *c)
     pm_constraint_marks_circles(frame, c, e[PM_JOINT_A], e[PM_JOINT_B], number(frame, e));
 }
 
+static void pressure(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    const double angle = frame->numbers->value[e[PM_JOINT_VALUE_2]];
+    c->teeth[0] = cos(angle);
+    c->teeth[1] = sin(angle);
+}
+
+static void teeth(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    gears(frame, e, c);
+    c->kind = PM_CONSTRAINT_TEETH;
+    pressure(frame, e, c);
+}
+
+static void rack(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    put(frame, e, c, PM_CONSTRAINT_RACK, pm_constraint_marks_circle_and_line);
+    pressure(frame, e, c);
+}
+
 static void rolling_circle(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     gears(frame, e, &c[1]);
@@ -194,8 +214,13 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
     [PM_JOINT_ROLLING_CIRCLE] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .nconstraint = 2, .memories = 1,
                                  .presses = 1, .slip = PM_NONE, .repeats = PM_REPEATS_MARKS,
                                  .compose = rolling_circle},
-    [PM_JOINT_GEARS] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .nconstraint = 1, .memories = 1, .slip = PM_NONE,
-                        .compose = gears},
+    /* teeth rub on each other as the bodies turn against each other */
+    [PM_JOINT_GEARS] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .nconstraint = 1, .memories = 1,
+                        .slip = PM_CONSTRAINT_RATIO, .compose = gears},
+    [PM_JOINT_TEETH] = {CIRCLE, CIRCLE, PM_NUMBER_SIDE, .nconstraint = 1, .memories = 1, .flanks = 1,
+                        .slip = PM_CONSTRAINT_RATIO, .compose = teeth},
+    [PM_JOINT_RACK] = {CIRCLE, LINE, .nconstraint = 1, .memories = 1, .flanks = 1,
+                       .slip = PM_CONSTRAINT_RATIO, .compose = rack},
     [PM_JOINT_BELT] = {CIRCLE, CIRCLE, PM_NUMBER_ANY, .nconstraint = 2, .memories = 2, .presses = 1,
                        .slip = PM_NONE, .compose = belt},
     [PM_JOINT_RATE] = {BODY, BODY, .programs = 1, .nconstraint = 1, .memories = 1, .slip = PM_NONE,

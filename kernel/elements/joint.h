@@ -28,6 +28,7 @@ typedef struct pm_joint_ops {
     int memories; /* so many of its last constraints keep an anchor */
     int feet;     /* 1: its constraints share the memory of a foot on a curve */
     int presses;  /* constraint 0 is a normal force */
+    int flanks;   /* 1: teeth, of which one flank is loaded at a time (teeth.h); it has a pressure angle */
     int slip;     /* the kind of constraint along which it slips where it has friction, or PM_NONE */
     int repeats;  /* enum pm_joint_repeats */
     void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *c);

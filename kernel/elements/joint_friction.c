@@ -79,7 +79,8 @@ double pm_joint_friction_coefficient(const pm_frame *frame, int k) { return by_l
 int pm_joint_friction_places(const pm_workspace *w, int k, int place[2])
 {
     const int joint = joint_of(&w->frame, k);
-    const int n = pm_joint_of(w->model, joint)->slip == PM_CONSTRAINT_RATIO ? 2 : 1;
+    const pm_joint_ops *ops = pm_joint_of(w->model, joint);
+    const int n = ops->slip == PM_CONSTRAINT_RATIO && ops->nconstraint > 1 ? 2 : 1;
     for (int i = 0; i < n; i++) place[i] = w->active.of_joint[w->model->joint_constraint[joint] + i];
     return n;
 }

@@ -35,6 +35,13 @@ static const pm_constraint *constraint_at(const pm_workspace *w, int place)
     return place >= 0 ? &w->active.constraint[place] : &w->active.redundant[PM_REDUNDANT_PLACE(place)];
 }
 
+/* The same of its impulse in the last blow: teeth may have had the other flank loaded then. */
+static void add_impulse(const pm_measure_args *x, pm_constraint c, double size, int on, double out[3])
+{
+    c.flank = x->w->impulses.flank[x->a];
+    add_reaction(x, &c, size, on, out);
+}
+
 /* Sum over the constraints of a joint of its reaction, or impulse[], times what a unit of it does. */
 static void joint_sum(const pm_measure_args *x, const double *impulse, double out[3])
 {
@@ -47,7 +54,11 @@ static void joint_sum(const pm_measure_args *x, const double *impulse, double ou
     for (int i = first; i < last && on != PM_NONE; i++) {
         const int place = x->w->active.of_joint[i];
         if (place == PM_NONE) continue;
-        add_reaction(x, constraint_at(x->w, place), impulse ? impulse[i] : pm_reaction(x->w, place), on, out);
+        const pm_constraint *c = constraint_at(x->w, place);
+        if (impulse)
+            add_impulse(x, *c, impulse[i], on, out);
+        else
+            add_reaction(x, c, pm_reaction(x->w, place), on, out);
     }
     pm_constraint slip;
     const double friction = impulse ? pm_joint_friction_impulse(x->w, x->a, &slip)

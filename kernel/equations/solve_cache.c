@@ -112,13 +112,13 @@ int pm_solve_cache_is_built(const pm_workspace *w)
     return 1;
 }
 
-/* Where elements come and go, or pairs are held as they were caught, or friction holds joints, constraints are always
- * built. */
+/* Where elements come and go, or pairs are held as they were caught, or friction holds joints, or teeth have flanks,
+ * constraints are always built. */
 void pm_solve_cache_built(pm_workspace *w)
 {
     pm_solve_cache *r = w->cache;
     const pm_model *m = w->model;
-    if (m->acts || m->nkept > 0 || m->nfriction > 0) return;
+    if (m->acts || m->nkept > 0 || m->nfriction > 0 || m->nteeth > 0) return;
     r->built = w->active.version;
     memcpy(r->q, w->state.q, (size_t)m->nq * sizeof(double));
     memcpy(r->slot, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));

@@ -7,6 +7,7 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/joint.h"
 #include "elements/measure.h"
 #include "equations/active_set.h"
 #include "equations/least_change.h"
@@ -135,12 +136,16 @@ static double apart(const pm_frame *frame, const pm_constraint *c)
     return pm_length(x.d);
 }
 
+/* Pitch circles, or one and the pitch line of a rack, touch. */
 static int check_gears(const pm_frame *frame, pm_result *result, int joint, const pm_constraint *c)
 {
-    const double distance = apart(frame, c), open = fabs(distance - fabs(c->value));
-    return open <= PM_MESHES * distance
-               ? PM_OK
-               : pm_fail(result, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, PM_MESHES * distance);
+    const int rack = c->kind == PM_CONSTRAINT_RACK;
+    const double allowed = PM_MESHES * (rack ? c->radius_a : apart(frame, c));
+    pm_constraint touch = *c;
+    touch.kind = rack ? PM_CONSTRAINT_LINE_NORMAL : PM_CONSTRAINT_DISTANCE;
+    pm_constraint_kind(touch.kind)->evaluate(frame, &touch);
+    const double open = fabs(touch.g);
+    return open <= allowed ? PM_OK : pm_fail(result, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, allowed);
 }
 
 static int check_strand(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *c)
@@ -156,11 +161,11 @@ int pm_start_check_couplings(pm_workspace *w)
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
         const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
-        if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT) continue;
+        if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT && !pm_joint_of(m, i)->flanks) continue;
         const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; !status && k < n; k++)
-            status = kind == PM_JOINT_GEARS ? check_gears(&w->frame, &w->result, i, &c[k])
-                                            : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k]);
+            status = kind != PM_JOINT_BELT ? check_gears(&w->frame, &w->result, i, &c[k])
+                                           : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_contact_is_cord(m, i)) continue;

@@ -13,6 +13,7 @@
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
+#include "elements/teeth.h"
 #include "elements/trigger.h"
 #include "equations/case.h"
 #include "equations/saddle.h"
@@ -40,7 +41,7 @@ int pm_event_create(pm_workspace *w)
     const pm_model *m = w->model;
     const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
               ncontact = m->rows[PM_TABLE_CONTACT];
-    const int most = ntrigger + ncontact + 5 * m->nslot + m->nfriction + m->rows[PM_TABLE_JOINT];
+    const int most = ntrigger + ncontact + 5 * m->nslot + m->nfriction + 2 * m->rows[PM_TABLE_JOINT];
     if (PM_ARENA_NEW(&w->memory, w->event)) return PM_NO_MEMORY;
     pm_event_set *e = w->event;
     e->most = most;
@@ -179,6 +180,14 @@ static void add_joint_friction(pm_workspace *w)
     }
 }
 
+static void add_teeth(pm_workspace *w)
+{
+    const double size = pm_case_force(w->model, &w->numbers);
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
+        if (pm_teeth_mesh(w->model, &w->state, i))
+            add(&w->phase, w->event, FUNCTION_FLANK, i, -1, PM_LEVEL_DYNAMIC, PM_FORCE_SLACK * size, size);
+}
+
 /* How far a closed contact is from opening, or from slipping, N; of several that share their loads, how far all of them are. */
 static double contact_stands(pm_workspace *w, const pm_event_function *f)
 {
@@ -236,6 +245,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_END:
         return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
                             slot[f->index].member);
+    case FUNCTION_FLANK: return pm_teeth_pressed(w, f->index);
     case FUNCTION_TRACK: return pm_track_left(&w->frame, f->index);
     case FUNCTION_STRAND: return strand_approach(&w->frame, f->index);
     case FUNCTION_JOINT_STICK:
@@ -307,6 +317,7 @@ void pm_event_begin(pm_workspace *w)
     e->ntrigger = e->nfunction;
     add_contacts(w);
     add_joint_friction(w);
+    if (w->model->nteeth > 0) add_teeth(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
         if (pm_track_ends(w, i))
             add(&w->phase, w->event, FUNCTION_TRACK, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),

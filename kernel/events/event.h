@@ -23,6 +23,7 @@ enum pm_function_kind {
     FUNCTION_STRAND, /* of a taut cord: where it is shortest, nothing may be left of it between its circles */
     FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
     FUNCTION_JOINT_SLIP,  /* its slip where it slides */
+    FUNCTION_FLANK,       /* of teeth: how the flank is pressed that is loaded */
     FUNCTION_TRACK        /* of a joint on a curve that is open: how far its foot is from the nearer end */
 };
 

@@ -34,6 +34,7 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
         x.table = PM_TABLE_FORCE;
         x.row = m->friction_force[f->index];
         return x;
+    case FUNCTION_FLANK:
     case FUNCTION_TRACK:
         x.table = PM_TABLE_JOINT;
         x.row = f->index;

@@ -12,6 +12,7 @@
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
+#include "elements/teeth.h"
 #include "elements/trigger.h"
 #include "equations/active_set.h"
 #include "equations/shared_loads.h"
@@ -138,6 +139,7 @@ int pm_contact_modes_begin(pm_workspace *w)
             const int status = pass_end(w, w->event->function[i].index);
             if (status) return status;
         }
+        if (w->event->function[i].kind == FUNCTION_FLANK) pm_teeth_turn(w, w->event->function[i].index);
         if (w->event->function[i].kind == FUNCTION_JOINT_STICK)
             pm_joint_friction_slides(w, w->event->function[i].index);
         if (w->event->function[i].kind == FUNCTION_JOINT_SLIP)

@@ -6,6 +6,7 @@
 
 #include "elements/contact.h"
 #include "elements/joint_friction.h"
+#include "elements/teeth.h"
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
@@ -167,9 +168,15 @@ static int settled(pm_workspace *w, int solved)
     return status ? status : account(w);
 }
 
+/* A friction of a joint gives way, or teeth meet with their other flanks. */
+static int joints_change(pm_workspace *w, double slack)
+{
+    return pm_joint_friction_overcome(w, slack) || pm_teeth_turn_pulling(w, slack);
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
-    const int most = 2 * w->model->nfriction + PM_MODES_ROUNDS;
+    const int most = 2 * (w->model->nfriction + w->model->nteeth) + PM_MODES_ROUNDS;
     int solved = 0;
     keep(w);
     for (int i = 0, changed = 1; i < most; i++) {
@@ -179,7 +186,7 @@ int pm_contact_modes_settle(pm_workspace *w)
         if (status || w->phase.kinematic) return status;
         const double size = force_size(&w->frame, &w->active);
         if (!changed || stands(w, size)) {
-            if (!pm_joint_friction_overcome(w, PM_PULLS * size)) return settled(w, solved);
+            if (!joints_change(w, PM_PULLS * size)) return settled(w, solved);
             changed = 1;
         } else if ((status = pm_contact_modes_solve(w, &changed))) {
             return status;

@@ -20,6 +20,7 @@
 #include "elements/capture.h"
 #include "elements/contact.h"
 #include "elements/joint_friction.h"
+#include "elements/teeth.h"
 #include "elements/trigger.h"
 #include "equations/ledger.h"
 #include "events/bounce_series.h"
@@ -179,6 +180,15 @@ static int find_blow(pm_workspace *w, pm_blow *b)
     return !status && exact && pm_impact_end_gains(w, b) > 0 ? pm_impact_limit(w, b) : status;
 }
 
+/* Teeth that would pull meet with their other flanks. */
+static int find_with_teeth(pm_workspace *w, pm_blow *b)
+{
+    for (int i = 0;; i++) {
+        const int status = b->shock == PM_NONE ? find_blow(w, b) : pm_impact_follow_shock(w, b);
+        if (status || i > w->model->nteeth || !pm_teeth_turn_struck(w)) return status;
+    }
+}
+
 /* The last of a series of ever smaller blows, by how slow it is: in another pass it may have been followed by more. */
 static int ends_series(const pm_workspace *w, const pm_blow *b)
 {
@@ -203,7 +213,7 @@ static int one_blow(pm_workspace *w, pm_blow *b)
         b->trial[i] = captured ? PM_CAPTURED : pm_impact_trial_mode(&w->frame, i);
         if (captured && b->share[i] == PM_OUT) b->share[i] = PM_JOINED; /* joints take part in every blow */
     }
-    status = b->shock == PM_NONE ? find_blow(w, b) : pm_impact_follow_shock(w, b);
+    status = find_with_teeth(w, b);
     if (!status && b->shock != PM_NONE) status = pm_joint_friction_check_blow(w);
     if (status) return status;
     memcpy(b->before, w->state.v, (size_t)m->nq * sizeof *b->before);

@@ -71,7 +71,7 @@ static int is_settled(const pm_workspace *w)
     const pm_model *m = w->model;
     if (w->result.count[PM_COUNT_PHASES] == 0 || !w->phase.route->meets_places || w->tree->nloop > 0)
         return 0;
-    return m->nfriction == 0 && !m->acts && !m->programs.wait_for_counts &&
+    return m->nfriction == 0 && m->nteeth == 0 && !m->acts && !m->programs.wait_for_counts &&
            (m->nslot == 0 || contacts_stay(w));
 }
 

@@ -246,6 +246,7 @@
 #define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */
 
 /* ---- impact ---- */
+#define PM_PRESSURE_MOST 1.0471975511965976 /* rad, 60 degrees: teeth have no greater pressure angle; larger: they would hardly turn each other */
 #define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */

@@ -64,6 +64,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->frame.a, nq),
         PM_ARRAY(w->frame.lambda, nconstraint),
         PM_ARRAY(w->impulses.joint, m->njoint_constraint),
+        PM_ARRAY(w->impulses.flank, m->rows[PM_TABLE_JOINT]),
         PM_ARRAY(w->impulses.friction, m->nfriction),
         PM_ARRAY(w->impulses.slot, 2 * m->nslot),
         PM_ARRAY(w->impulses.slot_direction, 4 * m->nslot),

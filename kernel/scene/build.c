@@ -28,6 +28,7 @@ static void lay_out(pm_model *m)
         m->joint_memory[i] = ops->memories + ops->feet > 0 ? m->nmemory : PM_NONE;
         m->nmemory += ops->memories + ops->feet;
         m->njoint_constraint += ops->nconstraint;
+        m->nteeth += ops->flanks;
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW(m, i);

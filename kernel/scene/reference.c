@@ -63,6 +63,7 @@ static const pm_range ranges[] = {
     {PM_TABLE_CONTACT, PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
     {PM_TABLE_JOINT, PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
+    {PM_TABLE_JOINT, PM_JOINT_VALUE_2, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
     {PM_TABLE_MEASURE, PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1},
@@ -147,6 +148,7 @@ static int of_joint(const int32_t *e, pm_reference *out)
     const pm_joint_ops *ops = pm_joint_kind(e[PM_JOINT_KIND]);
     int n = partners(ops->a, ops->b, out);
     if (ops->number) out[n++] = (pm_reference){.column = PM_JOINT_VALUE, .of = PM_TABLE_VALUE};
+    if (ops->flanks) out[n++] = (pm_reference){.column = PM_JOINT_VALUE_2, .of = PM_TABLE_VALUE};
     for (int k = 0; k < ops->programs; k++)
         out[n++] = (pm_reference){.column = PM_JOINT_PROGRAM_X + k, .of = PM_TABLE_PROGRAM};
     return n;

@@ -54,6 +54,7 @@ typedef struct pm_model {
     int nkept;       /* slots of contacts that capture */
     int nconstraint; /* most active constraints: njoint_constraint + 2 nslot + nkept */
     int nfriction;   /* frictions of joints */
+    int nteeth;      /* joints by teeth */
     int friction_memory;      /* first of their memories */
     int *friction_force;      /* [nfriction] row of each in the table of forces */
     int nz;                   /* running integrals: forces' work, paths, then PM_LEDGER audit entries */

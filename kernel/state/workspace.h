@@ -73,6 +73,7 @@ typedef struct pm_saddle {
 /* What the last blow did (impact/impact.h). */
 typedef struct pm_impulses {
     double *joint;          /* [njoint_constraint] N s, N m s */
+    int *flank;             /* [njoint] of teeth: which flank had it (teeth.h) */
     double *friction;       /* [nfriction] N s, N m s: of joints that rub by their load, along their slip */
     double *slot;           /* [2 nslot] N s: normal, tangential; of a captured pair x, y */
     double *slot_direction; /* [nslot][4] normal x, y, tangent x, y on the first partner */

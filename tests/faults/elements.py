@@ -4,6 +4,48 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "teeth: both flanks draw their wheels together",
+        "elements/constraint_teeth.c",
+        "c->j[k] = along * t.j[k] + across * n.j[k];",
+        "c->j[k] = along * t.j[k] - across * n.j[k];",
+    ),
+    Fault(
+        "teeth: no acceleration across the line of action",
+        "elements/constraint_teeth.c",
+        "c->gamma = along * t.gamma + across * n.gamma;",
+        "c->gamma = along * t.gamma;",
+    ),
+    Fault(
+        "teeth: the force acts along the pitch circles",
+        "elements/constraint_teeth.c",
+        "x->direction[k] + c->teeth[1] * n.direction[k]",
+        "x->direction[k] + 0 * n.direction[k]",
+    ),
+    Fault(
+        "teeth: the flank that pulls stays",
+        "elements/teeth.c",
+        "memory->direction = memory->direction < 0 ? 1 : -1;",
+        "memory->direction = 1;",
+    ),
+    Fault(
+        "teeth: a blow has the flank of the motion",
+        "elements/teeth.c",
+        "if (!(impulse < -PM_PULLS * greatest)) continue;",
+        "if (!(impulse < -2 * greatest)) continue;",
+    ),
+    Fault(
+        "teeth: the impulse of a blow has the flank of the motion after it",
+        "elements/measure_joint.c",
+        "c.flank = x->w->impulses.flank[x->a];",
+        "c.flank = 0;",
+    ),
+    Fault(
+        "teeth: their friction has no load",
+        "elements/joint_friction.c",
+        "ops->slip == PM_CONSTRAINT_RATIO && ops->nconstraint > 1 ? 2 : 1;",
+        "ops->slip == PM_CONSTRAINT_RATIO ? 2 : 0;",
+    ),
+    Fault(
         "boxes that slide on each other catch where their corners pass",
         "elements/edge.c",
         "if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;",

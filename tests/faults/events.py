@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "teeth: their flanks change at no event",
+        "events/event.c",
+        "if (w->model->nteeth > 0) add_teeth(w);",
+        "",
+    ),
+    Fault(
         "a passage near the end of an edge is not looked for",
         "events/event_bracket.c",
         "if (f->edge != PM_NONE && g[k] > 0",

@@ -4,6 +4,8 @@
 #include "elements/constraint.h"
 
 #include "check.h"
+#include "elements/joint.h"
+#include "elements/teeth.h"
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "scene.h"
@@ -108,6 +110,22 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
         NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);
 }
 
+/* The flanks of both sides push a away from b, and against each other along the pitch curves. */
+static void check_flanks(pm_workspace *w, const pm_constraint *row)
+{
+    pm_line_of_action one, other, apart;
+    pm_constraint normal = *row;
+    normal.kind = row->kind == PM_CONSTRAINT_RACK ? PM_CONSTRAINT_LINE_NORMAL : PM_CONSTRAINT_DISTANCE;
+    pm_constraint_kind(normal.kind)->act(&w->frame, &normal, &apart);
+    pm_constraint_kind(row->kind)->act(&w->frame, row, &one);
+    pm_teeth_turn(w, row->joint);
+    pm_constraint_kind(row->kind)->act(&w->frame, row, &other);
+    NEAR(pm_dot(one.direction, one.direction), 1, 1e-14);
+    NEAR(pm_dot(one.direction, apart.direction), sin(0.35), 1e-14);
+    NEAR(pm_dot(other.direction, apart.direction), sin(0.35), 1e-14);
+    NEAR(pm_dot(one.direction, other.direction), -cos(0.7), 1e-14);
+}
+
 static int open_case(scene *s)
 {
     return CHECK(scene_open(s) == PM_OK) && CHECK(pm_case_begin(s->w, s->constant) == PM_OK);
@@ -125,6 +143,10 @@ static void check_scene(scene *s, int on_constraint)
         for (int k = 0; k < n; k++) {
             EQUAL(row[k].joint, i);
             check_row(w, row[k], on_constraint || row[k].kind == PM_CONSTRAINT_ANGLE);
+            if (!pm_joint_of(s->model, i)->flanks) continue;
+            pm_teeth_turn(w, i);
+            check_row(w, row[k], on_constraint);
+            check_flanks(w, &row[k]);
         }
     }
     for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {
@@ -158,6 +180,7 @@ static void line_rows(int ground_side, double radius)
               line = scene_line(x.s, x.point[1], direction - of_body);
     scene_joint(x.s, PM_JOINT_ROLLING_LINE, circle, line, 0);
     scene_contact(x.s, PM_CONTACT_LINE, circle, line, 0, 0.5, PM_FRICTION_ROUGH, 0);
+    scene_teeth(x.s, circle, line, 0, 0.35);
     check_scene(x.s, 1);
     pm_constraint row[PM_JOINT_CONSTRAINTS];
     if (x.s->w) {
@@ -185,6 +208,7 @@ static void circle_rows(int ground_side, double side, double ratio)
     const int ca = scene_circle(x.s, x.point[0], a), cb = scene_circle(x.s, x.point[1], b);
     scene_joint(x.s, PM_JOINT_ROLLING_CIRCLE, ca, cb, side);
     scene_contact(x.s, PM_CONTACT_CIRCLE, ca, cb, side, 0.5, PM_FRICTION_ROUGH, 0);
+    scene_teeth(x.s, ca, cb, side, 0.35);
     check_scene(x.s, 1);
     if (x.s->w) {
         pm_constraint row[PM_JOINT_CONSTRAINTS];

@@ -144,7 +144,13 @@ static inline int scene_floor(scene *s, double angle)
 /* ---- joints, contacts, forces ---- */
 static inline int scene_joint(scene *s, int kind, int a, int b, double number)
 {
-    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, scene_value(s, number), PM_NONE, PM_NONE);
+    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, scene_value(s, number), PM_NONE, PM_NONE, PM_NONE);
+}
+/* Circle a by teeth with circle b, or with line b (side 0), at a pressure angle. */
+static inline int scene_teeth(scene *s, int a, int b, double side, double pressure)
+{
+    return SCENE_ROW(s, PM_TABLE_JOINT, side == 0 ? PM_JOINT_RACK : PM_JOINT_TEETH, a, b,
+                     side == 0 ? PM_NONE : scene_value(s, side), PM_NONE, PM_NONE, scene_value(s, pressure));
 }
 /* friction: PM_FRICTION_...; static and kinetic coefficient mu */
 static inline int scene_contact(scene *s, int kind, int a, int b, double side, double e, int friction,
@@ -186,7 +192,7 @@ static inline int scene_cord(scene *s, int a, int sense_a, int b, int sense_b, d
 /* A drive: PM_JOINT_RATE of bodies or PM_JOINT_DRIVE of points, by programs of the time. */
 static inline int scene_drive(scene *s, int kind, int a, int b, int program_x, int program_y)
 {
-    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, PM_NONE, program_x, program_y);
+    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, PM_NONE, program_x, program_y, PM_NONE);
 }
 static inline int scene_force(scene *s, int kind, int a, int b, double value_1, double value_2)
 {

@@ -60,6 +60,11 @@ VARIANTS = {
     ),
     "link of given length": ("link", 'e = { link = ["a.E", "b.center"], length = "(0.9 m) + t*(1 m/s)" }'),
     "motor of given angle": ("motor", 'e = { motor = ["a", "b"], angle = "sin(t/(1 s))" }'),
+    "gears by teeth": (
+        "gears",
+        'e = { gears = ["a.rim", "b.rim"], pressure_angle = "20 deg", efficiency = 0.9 }',
+    ),
+    "rack": ("gears", 'e = { gears = ["a.rim", "ground.floor"], pressure_angle = "20 deg" }'),
     "damper of points": ("damper", 'e = { damper = ["a.E", "ground.S"], rate = "3 N*s/m" }'),
 }
 GROUP = {word: group for group, kinds in KINDS.items() if group != "contacts" for word in kinds}

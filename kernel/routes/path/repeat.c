@@ -114,7 +114,8 @@ int pm_repeat_begin(pm_workspace *w, int *passed)
 /* ---- the end of a segment ---- */
 static int is_force(int kind)
 {
-    return kind == FUNCTION_NORMAL || kind == FUNCTION_STICK || kind == FUNCTION_JOINT_STICK;
+    return kind == FUNCTION_NORMAL || kind == FUNCTION_STICK || kind == FUNCTION_JOINT_STICK ||
+           kind == FUNCTION_FLANK;
 }
 
 void pm_repeat_end(pm_workspace *w)

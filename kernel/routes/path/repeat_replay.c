@@ -51,7 +51,8 @@ static void fill_step(pm_workspace *w, double kinetic)
 static int goes_with_energy(const pm_model *model, const pm_event_function *f)
 {
     if (f->kind == FUNCTION_TRIGGER) return pm_repeat_limit_moves(model, f->index);
-    return f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_STICK || f->kind == FUNCTION_JOINT_STICK;
+    return f->kind == FUNCTION_NORMAL || f->kind == FUNCTION_STICK || f->kind == FUNCTION_JOINT_STICK ||
+           f->kind == FUNCTION_FLANK;
 }
 
 /* The slot of the same contact that is closed now. */

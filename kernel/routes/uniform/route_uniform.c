@@ -132,7 +132,7 @@ static int prepare(pm_workspace *w)
     const int nq = w->model->nq;
     if (w->result.count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w->uniform);
     pm_constant_motion_curve(w, u->v, u->a, u->rotates, u->locked, &u->curve);
-    if (u->curve.levers && pm_joint_friction_any(w->model))
+    if (u->curve.levers && (pm_joint_friction_any(w->model) || w->model->nteeth > 0))
         return 0; /* reactions change, and friction with them */
     if (!pm_uniform_edge_hold(w) || !pm_constraint_all_steady(&w->frame, &w->active, &u->curve) ||
         !pm_force_all_steady(&w->frame, &w->state, &u->curve) || !paths_are_parabolas(w) ||

@@ -49,6 +49,7 @@ _BOUNDS = (
         above=True,
         only=(layout.PM_JOINT_KIND, layout.PM_JOINT_LINK),
     ),
+    _Bound(layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2, 0, math.pi / 3),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_RESTITUTION, 0, 1),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_TANGENTIAL, 0, 1),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC, 0),
@@ -63,6 +64,12 @@ _BOUNDS = (
             layout.PM_FORCE_DAMPER,
             layout.PM_FORCE_ROTARY_DAMPER,
         )
+    ),
+    _Bound(
+        layout.PM_TABLE_FORCE,
+        layout.PM_FORCE_VALUE_2,
+        0,
+        only=(layout.PM_FORCE_KIND, layout.PM_FORCE_FRICTION),
     ),
     _Bound(layout.PM_TABLE_SPIN, layout.PM_SPIN_INERTIA, 0),
     _Bound(layout.PM_TABLE_SETTING, layout.PM_SETTING_ACCURACY, 1e-14, 1e-2),
@@ -121,6 +128,7 @@ _COLUMNS: dict[tuple[int, int], _Named] = {
     (layout.PM_TABLE_BODY, layout.PM_BODY_INERTIA): ("inertia", "kg*m^2"),
     (layout.PM_TABLE_CIRCLE, layout.PM_CIRCLE_RADIUS): ("", "m"),
     (layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE): ("", "m"),
+    (layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2): ("", "rad"),
     (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_RESTITUTION): ("restitution", ""),
     (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_TANGENTIAL): ("tangential", ""),
     (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC): ("friction", ""),

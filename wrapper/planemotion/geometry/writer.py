@@ -105,13 +105,15 @@ class Writer:
         path: str,
         *,
         value: tuple[Node, str] | None = None,
+        second: tuple[Node, str] | None = None,
         programs: Sequence[Node] = (),
     ) -> int:
-        """Adds a row of the joint table: kind, partners, number with its key path, prescribed rates."""
+        """Adds a row of the joint table: kind, partners, numbers with their key paths, prescribed rates."""
         columns = (layout.PM_JOINT_PROGRAM_X, layout.PM_JOINT_PROGRAM_Y)
         row = {layout.PM_JOINT_KIND: kind, layout.PM_JOINT_A: a, layout.PM_JOINT_B: b}
         row |= dict.fromkeys(columns, layout.PM_NONE)
-        row[layout.PM_JOINT_VALUE] = layout.PM_NONE if value is None else self.tables.value(*value)
+        for number, given in ((layout.PM_JOINT_VALUE, value), (layout.PM_JOINT_VALUE_2, second)):
+            row[number] = layout.PM_NONE if given is None else self.tables.value(*given)
         for column, program in zip(columns, programs, strict=False):
             row[column] = self.tables.program(program, path)
         return self.tables.add(layout.PM_TABLE_JOINT, row, path)

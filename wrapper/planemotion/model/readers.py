@@ -272,6 +272,13 @@ def read_joint_friction(written: Any) -> Any:
     return read_value(written)
 
 
+def read_tooth_friction(written: Any) -> Any:
+    """The coefficient of teeth, and how far from where the pitch circles touch they slide on an average."""
+    if not isinstance(written, Mapping) or set(written) != {"mu", "radius"}:
+        raise ValueError("friction of teeth is { mu = ..., radius = ... }; or give their efficiency")
+    return written
+
+
 def read_value_or_vector(written: Any) -> Value | Vector:
     """A number, or a vector."""
     return read_vector(written) if isinstance(written, list | tuple | Mapping) else read_value(written)

@@ -1,0 +1,82 @@
+/* constraint_teeth.c - toothed wheels, and a toothed wheel on a rack: involute teeth whose flanks meet at a pressure angle.
+ *
+ * With t and n the tangent and the normal of the pitch curves where they touch, C_t their slip (constraint_tangent.c,
+ * constraint_line.c) and C_n how far apart they are (constraint_distance.c, constraint_line.c), the flanks that are loaded
+ * touch along the line of action, at the pressure angle phi from t:
+ *   C = s cos(phi) C_t + sin(phi) C_n        s = 1, -1: the flank that pushes a along t, or against it (teeth.h)
+ * The reaction is the force of the flanks on a, which pushes: along s cos(phi) t + sin(phi) n, through the point where the
+ * pitch curves touch.  What holds C_n carries the part that drives the teeth apart. */
+#include "elements/constant_motion.h"
+#include "elements/constraint.h"
+#include "elements/teeth.h"
+#include "state/workspace.h"
+
+/* The constraints that it is made of. */
+typedef struct pm_pitch {
+    const pm_constraint_ops *tangent, *normal;
+} pm_pitch;
+
+static const pm_pitch wheels = {&pm_constraint_circle_tangent, &pm_constraint_distance};
+static const pm_pitch on_rack = {&pm_constraint_line_tangent, &pm_constraint_line_normal};
+
+static void evaluate(const pm_pitch *of, const pm_frame *frame, pm_constraint *c)
+{
+    pm_constraint t = *c, n = *c;
+    of->tangent->evaluate(frame, &t);
+    of->normal->evaluate(frame, &n);
+    const double along = pm_teeth_flank(frame, c) * c->teeth[0], across = c->teeth[1];
+    for (int k = 0; k < 6; k++) c->j[k] = along * t.j[k] + across * n.j[k];
+    c->g = along * t.g + across * n.g;
+    c->gamma = along * t.gamma + across * n.gamma;
+}
+
+static void act(const pm_pitch *of, const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
+{
+    pm_line_of_action n;
+    of->tangent->act(frame, c, x);
+    of->normal->act(frame, c, &n);
+    for (int k = 0; k < 2; k++)
+        x->direction[k] =
+            pm_teeth_flank(frame, c) * c->teeth[0] * x->direction[k] + c->teeth[1] * n.direction[k];
+}
+
+static int steady(const pm_pitch *of, const pm_frame *frame, const pm_constraint *c,
+                  const pm_constant_motion *x)
+{
+    return of->tangent->steady(frame, c, x) && of->normal->steady(frame, c, x);
+}
+
+static void evaluate_wheels(const pm_frame *frame, pm_constraint *c) { evaluate(&wheels, frame, c); }
+static void evaluate_rack(const pm_frame *frame, pm_constraint *c) { evaluate(&on_rack, frame, c); }
+
+static void act_wheels(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
+{
+    act(&wheels, frame, c, x);
+}
+static void act_rack(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
+{
+    act(&on_rack, frame, c, x);
+}
+
+static void remember_wheels(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
+{
+    wheels.tangent->remember(frame, c, memory, anchor_too);
+}
+static void remember_rack(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
+{
+    on_rack.tangent->remember(frame, c, memory, anchor_too);
+}
+
+static int steady_wheels(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
+{
+    return steady(&wheels, frame, c, x);
+}
+static int steady_rack(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
+{
+    return steady(&on_rack, frame, c, x);
+}
+
+const pm_constraint_ops pm_constraint_teeth = {
+    .evaluate = evaluate_wheels, .act = act_wheels, .remember = remember_wheels, .steady = steady_wheels};
+const pm_constraint_ops pm_constraint_rack = {
+    .evaluate = evaluate_rack, .act = act_rack, .remember = remember_rack, .steady = steady_rack};
