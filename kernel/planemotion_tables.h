@@ -97,7 +97,9 @@ enum pm_contact_kind {
     PM_CONTACT_POINT = 4, /* circles a, b of radius 0: points that meet from wherever; it must capture */
     /* circle a against line b between two places of it, and its ends; see the columns */
     PM_CONTACT_SEGMENT = 5,
-    PM_CONTACT_KINDS = 6
+    PM_CONTACT_TEETH = 6, /* one flank of toothed wheels a, b with backlash; see the columns */
+    PM_CONTACT_RACK = 7,  /* one flank of wheel a and the rack on line b, likewise */
+    PM_CONTACT_KINDS = 8
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
 /* What becomes of a pair that touches and does not part (two points: that meet). */
@@ -115,7 +117,7 @@ enum pm_contact_column {
     PM_CONTACT_KIND = 0,
     PM_CONTACT_A = 1,
     PM_CONTACT_B = 2,
-    PM_CONTACT_SIDE = 3,        /* value index (circle/circle) or PM_NONE */
+    PM_CONTACT_SIDE = 3,        /* value index (circle/circle, wheels) or PM_NONE */
     PM_CONTACT_RESTITUTION = 4, /* value index, 0..1 */
     PM_CONTACT_FRICTION = 5,    /* enum pm_friction */
     PM_CONTACT_STATIC = 6,      /* value index of the static coefficient, PM_NONE unless Coulomb */
@@ -123,8 +125,9 @@ enum pm_contact_column {
     /* program of the time alone: speed of the surface of b along its line (as a line: towards its angle);
      * or PM_NONE */
     PM_CONTACT_SPEED = 8,
-    PM_CONTACT_SLACK = 9, /* cord: value index, slack at the start, >= 0; or PM_NONE */
-    /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise */
+    PM_CONTACT_SLACK = 9, /* cord, flank: value index, slack or gap at the start, >= 0; or PM_NONE */
+    /* cord: +1 if one passes the circle counterclockwise going from a to b, -1 clockwise;
+     * flank: SENSE_A is 1 of the one that pushes a along its tangent, else -1 */
     PM_CONTACT_SENSE_A = 10,
     PM_CONTACT_SENSE_B = 11,
     PM_CONTACT_CAPTURE = 12, /* enum pm_capture; smooth, with no surface speed */
@@ -138,7 +141,8 @@ enum pm_contact_column {
     /* value index, > 0: k of N = k x^n beside those of other contacts, n = PM_SETTING_EXPONENT; smooth, of
      * Stronge's law; or PM_NONE */
     PM_CONTACT_STIFFNESS = 18,
-    PM_CONTACT_COLUMNS = 19
+    PM_CONTACT_PRESSURE = 19, /* value index of the pressure angle of a flank; or PM_NONE */
+    PM_CONTACT_COLUMNS = 20
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */

@@ -221,6 +221,7 @@ double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);
+void pm_constraint_marks_pressure(pm_constraint *c, double angle);
 /* A circle and member 0 of a pattern. */
 void pm_constraint_marks_pattern(const pm_frame *frame, pm_constraint *c, int circle, int of);
 

@@ -81,6 +81,12 @@ void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, 
     c->radius_b = sense_b * frame->numbers->value[eb[PM_CIRCLE_RADIUS]];
 }
 
+void pm_constraint_marks_pressure(pm_constraint *c, double angle)
+{
+    c->teeth[0] = cos(angle);
+    c->teeth[1] = sin(angle);
+}
+
 void pm_constraint_marks_pattern(const pm_frame *frame, pm_constraint *c, int circle, int of)
 {
     const int32_t *ec = PM_CIRCLE_ROW(frame->model, circle), *er = PM_PATTERN_ROW(frame->model, of);

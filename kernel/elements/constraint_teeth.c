@@ -76,7 +76,52 @@ static int steady_rack(const pm_frame *frame, const pm_constraint *c, const pm_c
     return steady(&on_rack, frame, c, x);
 }
 
-const pm_constraint_ops pm_constraint_teeth = {
-    .evaluate = evaluate_wheels, .act = act_wheels, .remember = remember_wheels, .steady = steady_wheels};
-const pm_constraint_ops pm_constraint_rack = {
-    .evaluate = evaluate_rack, .act = act_rack, .remember = remember_rack, .steady = steady_rack};
+/* The slip of the pitch circles is not quicker, and its rate does not change by more beside that of the rotations: the line
+ * of centres turns by no more than what their centres do. */
+static void bound_wheels(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
+                         pm_constraint_bounds *x)
+{
+    const pm_marks m = pm_constraint_marks(frame, c);
+    const pm_constraint_reach r = pm_constraint_reach_of(c, &m, a, h);
+    const double alpha_a = a[3 * c->body[0] + 2], alpha_b = a[3 * c->body[1] + 2],
+                 s = pm_teeth_flank(frame, c), nearest = pm_length(m.d) - r.rate * h;
+    const double turn = nearest > 0 ? r.rate / nearest : INFINITY,
+                 hardest = r.rate > 0 || r.swing > 0 || pm_length(r.apart) > 0
+                               ? (pm_length(r.apart) + r.swing) / nearest + 2 * turn * turn
+                               : 0;
+    wheels.normal->bound(frame, c, a, h, x);
+    x->rate =
+        c->teeth[1] * x->rate +
+        c->teeth[0] * (fabs(c->value) * turn + fabs(c->radius_a) * (fabs(m.omega_a) + fabs(alpha_a) * h) +
+                       fabs(c->radius_b) * (fabs(m.omega_b) + fabs(alpha_b) * h));
+    x->bend = c->teeth[1] * x->bend -
+              c->teeth[0] * (s * (c->radius_a * alpha_a + c->radius_b * alpha_b) + fabs(c->value) * hardest);
+    if (!(nearest > 0)) x->bend = -INFINITY;
+    x->exact = 0;
+}
+
+static void bound_rack(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
+                       pm_constraint_bounds *x)
+{
+    const pm_marks m = pm_constraint_marks(frame, c);
+    const pm_constraint_reach r = pm_constraint_reach_of(c, &m, a, h);
+    const double alpha_a = a[3 * c->body[0] + 2], alpha_b = a[3 * c->body[1] + 2];
+    const double slides = pm_length(r.apart) + r.swing + 2 * r.omega * r.rate + r.spin * r.distance;
+    on_rack.normal->bound(frame, c, a, h, x);
+    x->rate = c->teeth[1] * x->rate + c->teeth[0] * (r.rate + r.omega * r.distance +
+                                                     c->radius_a * (fabs(m.omega_a) + fabs(m.omega_b) +
+                                                                    (fabs(alpha_a) + fabs(alpha_b)) * h));
+    x->bend = c->teeth[1] * x->bend - c->teeth[0] * (slides + c->radius_a * (fabs(alpha_a) + fabs(alpha_b)));
+    x->exact = 0;
+}
+
+const pm_constraint_ops pm_constraint_teeth = {.evaluate = evaluate_wheels,
+                                               .act = act_wheels,
+                                               .remember = remember_wheels,
+                                               .steady = steady_wheels,
+                                               .bound = bound_wheels};
+const pm_constraint_ops pm_constraint_rack = {.evaluate = evaluate_rack,
+                                              .act = act_rack,
+                                              .remember = remember_rack,
+                                              .steady = steady_rack,
+                                              .bound = bound_rack};

@@ -93,6 +93,16 @@ int pm_contact_is_cord(const pm_model *m, int contact)
     return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CORD;
 }
 
+int pm_contact_has_flank(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] >= PM_CONTACT_TEETH;
+}
+
+int pm_contact_measures_itself(const pm_model *m, int contact)
+{
+    return pm_contact_is_cord(m, contact) || pm_contact_has_flank(m, contact);
+}
+
 static double coefficient(const pm_frame *frame, int contact, int column)
 {
     return pm_contact_friction(frame->model, contact) == PM_FRICTION_COULOMB

@@ -49,6 +49,9 @@ int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
 int pm_contact_is_pattern(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
+int pm_contact_has_flank(const pm_model *m, int contact);
+/* Its gap counts from the start: a cord, a flank. */
+int pm_contact_measures_itself(const pm_model *m, int contact);
 double pm_contact_static(const pm_frame *frame, int contact);
 double pm_contact_kinetic(const pm_frame *frame, int contact);
 /* What slips has less friction than what sticks: only then a motion that slips a little less is another motion. */

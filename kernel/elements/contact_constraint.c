@@ -5,6 +5,12 @@
 
 static int memory_of(const pm_model *m, int slot) { return m->nmemory - m->nslot + slot; }
 
+static void flank(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    pm_constraint_marks_pressure(c, frame->numbers->value[e[PM_CONTACT_PRESSURE]]);
+    c->flank = e[PM_CONTACT_SENSE_A];
+}
+
 /* The normal constraint with the face of a segment, or member 0 of a pattern, as its partner. */
 static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
 {
@@ -27,6 +33,16 @@ static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
     case PM_CONTACT_CORD:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_STRAND);
         pm_constraint_marks_strand(frame, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]);
+        break;
+    case PM_CONTACT_TEETH:
+        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_TEETH);
+        pm_constraint_marks_circles(frame, normal, a, b, frame->numbers->value[e[PM_CONTACT_SIDE]]);
+        flank(frame, e, normal);
+        break;
+    case PM_CONTACT_RACK:
+        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_RACK);
+        pm_constraint_marks_circle_and_line(frame, normal, a, b);
+        flank(frame, e, normal);
         break;
     case PM_CONTACT_PATTERN:
     case PM_CONTACT_KINDS:
@@ -67,7 +83,9 @@ void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, 
     case PM_CONTACT_SEGMENT:
         if (member != PM_SEGMENT_FACE) corner_of_segment(frame, normal, contact, member);
         break;
-    case PM_CONTACT_CORD: normal->memory = memory_of(m, slot); break;
+    case PM_CONTACT_CORD:
+    case PM_CONTACT_TEETH:
+    case PM_CONTACT_RACK: normal->memory = memory_of(m, slot); break;
     case PM_CONTACT_PATTERN: member_of_pattern(frame, normal, e[PM_CONTACT_B], member); break;
     default: break;
     }
@@ -79,7 +97,8 @@ void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     *tangent = *normal;
     tangent->memory = memory_of(frame->model, normal->slot);
-    if (normal->kind == PM_CONSTRAINT_STRAND) return; /* nothing acts across a cord: it is smooth */
+    if (normal->kind == PM_CONSTRAINT_STRAND || normal->teeth[0] > 0)
+        return; /* nothing acts across a cord or a flank: it is smooth */
     tangent->kind =
         normal->kind == PM_CONSTRAINT_LINE_NORMAL ? PM_CONSTRAINT_LINE_TANGENT : PM_CONSTRAINT_CIRCLE_TANGENT;
     if (tangent->kind == PM_CONSTRAINT_LINE_TANGENT)

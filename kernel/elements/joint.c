@@ -82,24 +82,17 @@ static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *c)
     pm_constraint_marks_circles(frame, c, e[PM_JOINT_A], e[PM_JOINT_B], number(frame, e));
 }
 
-static void pressure(const pm_frame *frame, const int32_t *e, pm_constraint *c)
-{
-    const double angle = frame->numbers->value[e[PM_JOINT_VALUE_2]];
-    c->teeth[0] = cos(angle);
-    c->teeth[1] = sin(angle);
-}
-
 static void teeth(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     gears(frame, e, c);
     c->kind = PM_CONSTRAINT_TEETH;
-    pressure(frame, e, c);
+    pm_constraint_marks_pressure(c, frame->numbers->value[e[PM_JOINT_VALUE_2]]);
 }
 
 static void rack(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     put(frame, e, c, PM_CONSTRAINT_RACK, pm_constraint_marks_circle_and_line);
-    pressure(frame, e, c);
+    pm_constraint_marks_pressure(c, frame->numbers->value[e[PM_JOINT_VALUE_2]]);
 }
 
 static void rolling_circle(const pm_frame *frame, const int32_t *e, pm_constraint *c)

@@ -295,7 +295,7 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
 {
     pm_constraint normal, tangent;
     const int contact = pm_contact_of_slot(frame->model, slot);
-    if (pm_contact_is_cord(frame->model, contact)) return; /* its length stays */
+    if (pm_contact_measures_itself(frame->model, contact)) return; /* its length stays */
     if (s->slot[slot].mode == PM_CAPTURED) {
         pm_capture_keep(frame, s, slot);
         return;
@@ -322,16 +322,16 @@ void pm_active_set_find_feet(const pm_frame *frame, pm_state *s)
     }
 }
 
-/* Measures the cords: as drawn, and what they are slack. */
-static void anchor_cords(const pm_frame *frame, pm_state *s)
+/* Measures the cords, as drawn, and what they are slack; the same of flanks, whose anchor is along their pitch curves. */
+static void anchor_contacts(const pm_frame *frame, pm_state *s)
 {
     for (int i = 0; i < frame->model->rows[PM_TABLE_CONTACT]; i++) {
-        if (!pm_contact_is_cord(frame->model, i)) continue;
-        pm_constraint strand, unused;
-        pm_contact_constraint_both(frame, i, frame->model->contact_slot[i], 0, &strand, &unused);
-        remember(frame, s, &strand, 1);
-        s->memory[strand.memory].anchor +=
-            frame->numbers->value[PM_CONTACT_ROW(frame->model, i)[PM_CONTACT_SLACK]];
+        if (!pm_contact_measures_itself(frame->model, i)) continue;
+        pm_constraint c;
+        pm_contact_constraint_normal(frame, i, frame->model->contact_slot[i], 0, &c);
+        remember(frame, s, &c, 1);
+        const double slack = frame->numbers->value[PM_CONTACT_ROW(frame->model, i)[PM_CONTACT_SLACK]];
+        s->memory[c.memory].anchor += c.flank != 0 ? -c.flank * slack / c.teeth[0] : slack;
     }
 }
 
@@ -339,7 +339,7 @@ void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm
 {
     for (int i = 0; i < frame->model->rows[PM_TABLE_JOINT]; i++)
         pm_active_set_anchor_joint(frame, state, s, i);
-    anchor_cords(frame, s);
+    anchor_contacts(frame, s);
 }
 
 /* Slack cords are no active constraints, and yet their strands rotate. */

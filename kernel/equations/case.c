@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "elements/contact.h"
 #include "elements/curve.h"
 #include "elements/force.h"
 #include "elements/joint.h"
@@ -77,7 +78,10 @@ static int check_partners(pm_workspace *w, int contact)
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW(m, contact);
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CORD) return PM_OK;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH)
+        return check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
+                          e[PM_CONTACT_SIDE]);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || pm_contact_measures_itself(m, contact)) return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {
         radius = pm_max(w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]], radius);
         return radius == 0 ? PM_OK

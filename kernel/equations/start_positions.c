@@ -137,7 +137,7 @@ static double apart(const pm_frame *frame, const pm_constraint *c)
 }
 
 /* Pitch circles, or one and the pitch line of a rack, touch. */
-static int check_gears(const pm_frame *frame, pm_result *result, int joint, const pm_constraint *c)
+static int check_gears(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *c)
 {
     const int rack = c->kind == PM_CONSTRAINT_RACK;
     const double allowed = PM_MESHES * (rack ? c->radius_a : apart(frame, c));
@@ -145,7 +145,7 @@ static int check_gears(const pm_frame *frame, pm_result *result, int joint, cons
     touch.kind = rack ? PM_CONSTRAINT_LINE_NORMAL : PM_CONSTRAINT_DISTANCE;
     pm_constraint_kind(touch.kind)->evaluate(frame, &touch);
     const double open = fabs(touch.g);
-    return open <= allowed ? PM_OK : pm_fail(result, PM_ASSEMBLY, PM_TABLE_JOINT, joint, open, allowed);
+    return open <= allowed ? PM_OK : pm_fail(result, PM_ASSEMBLY, table, at, open, allowed);
 }
 
 static int check_strand(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *c)
@@ -164,13 +164,14 @@ int pm_start_check_couplings(pm_workspace *w)
         if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT && !pm_joint_of(m, i)->flanks) continue;
         const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; !status && k < n; k++)
-            status = kind != PM_JOINT_BELT ? check_gears(&w->frame, &w->result, i, &c[k])
+            status = kind != PM_JOINT_BELT ? check_gears(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k])
                                            : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
-        if (!pm_contact_is_cord(m, i)) continue;
+        if (!pm_contact_measures_itself(m, i)) continue;
         pm_contact_constraint_normal(&w->frame, i, m->contact_slot[i], 0, &c[0]);
-        status = check_strand(&w->frame, &w->result, PM_TABLE_CONTACT, i, &c[0]);
+        status = pm_contact_is_cord(m, i) ? check_strand(&w->frame, &w->result, PM_TABLE_CONTACT, i, &c[0])
+                                          : check_gears(&w->frame, &w->result, PM_TABLE_CONTACT, i, &c[0]);
     }
     return status;
 }

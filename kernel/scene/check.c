@@ -2,6 +2,7 @@
  * may trust the tables; what contradicts is PM_BAD_TABLE with table, row, value and bound. */
 #include "scene/build.h"
 
+#include "elements/contact.h"
 #include "elements/measure.h"
 #include "expression/piecewise.h"
 #include "expression/program.h"
@@ -75,7 +76,23 @@ static int captures_soundly(const int32_t *e)
     const int kind = e[PM_CONTACT_KIND], capture = e[PM_CONTACT_CAPTURE];
     if (capture == PM_CAPTURE_NONE) return kind != PM_CONTACT_POINT;
     return capture > PM_CAPTURE_NONE && capture < PM_CAPTURES && kind != PM_CONTACT_CORD &&
-           e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH && e[PM_CONTACT_SPEED] < 0;
+           kind < PM_CONTACT_TEETH && e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH && e[PM_CONTACT_SPEED] < 0;
+}
+
+/* What measures itself at the start has a slack, a sense, and no friction; what has flanks, a pressure angle. */
+static int check_slack(const pm_model *m, int contact, pm_where *where)
+{
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    const int flank = e[PM_CONTACT_KIND] >= PM_CONTACT_TEETH;
+    if (e[PM_CONTACT_FRICTION] != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
+        return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[PM_CONTACT_SLACK], 0);
+    if (flank && (e[PM_CONTACT_PRESSURE] < 0 || e[PM_CONTACT_LAW] != PM_LAW_NEWTON))
+        return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[PM_CONTACT_PRESSURE], 0);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH && e[PM_CONTACT_SIDE] < 0)
+        return pm_bad_table(where, PM_TABLE_CONTACT, contact, PM_NONE, 0);
+    for (int k = PM_CONTACT_SENSE_A; k <= PM_CONTACT_SENSE_B; k++)
+        if (e[k] != 1 && e[k] != -1) return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[k], 1);
+    return PM_OK;
 }
 
 static int check_contacts(const pm_model *m, pm_where *where)
@@ -99,11 +116,8 @@ static int check_contacts(const pm_model *m, pm_where *where)
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_TANGENTIAL], PM_NONE);
         if (e[PM_CONTACT_STIFFNESS] >= 0 && (friction != PM_FRICTION_SMOOTH || law != PM_LAW_STRONGE))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_STIFFNESS], PM_NONE);
-        if (e[PM_CONTACT_KIND] != PM_CONTACT_CORD) continue;
-        if (friction != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
-            return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_SLACK], 0);
-        for (int k = PM_CONTACT_SENSE_A; k <= PM_CONTACT_SENSE_B; k++)
-            if (e[k] != 1 && e[k] != -1) return pm_bad_table(where, PM_TABLE_CONTACT, i, e[k], 1);
+        const int status = pm_contact_measures_itself(m, i) ? check_slack(m, i, where) : PM_OK;
+        if (status) return status;
     }
     return PM_OK;
 }

@@ -40,6 +40,18 @@ FAULTS = [
         "c.flank = 0;",
     ),
     Fault(
+        "backlash: both flanks are on one side",
+        "elements/contact_constraint.c",
+        "c->flank = e[PM_CONTACT_SENSE_A];",
+        "c->flank = 1;",
+    ),
+    Fault(
+        "backlash: a flank that closes forgets where it was",
+        "elements/contact.c",
+        "return pm_contact_is_cord(m, contact) || pm_contact_has_flank(m, contact);",
+        "return pm_contact_is_cord(m, contact);",
+    ),
+    Fault(
         "teeth: their friction has no load",
         "elements/joint_friction.c",
         "ops->slip == PM_CONSTRAINT_RATIO && ops->nconstraint > 1 ? 2 : 1;",

@@ -12,6 +12,7 @@
 #ifndef SCENE_H
 #define SCENE_H
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -160,7 +161,7 @@ static inline int scene_contact(scene *s, int kind, int a, int b, double side, d
     return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b,
                      kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE, scene_value(s, e), friction,
                      value, value, PM_NONE, PM_NONE, 1, 1, PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE,
-                     PM_NONE, PM_PAINLEVE_STOPS, PM_NONE);
+                     PM_NONE, PM_PAINLEVE_STOPS, PM_NONE, PM_NONE);
 }
 /* A contact that captures: PM_CONTACT_POINT (circles of radius 0) and any kind but a cord. */
 static inline int scene_capture(scene *s, int kind, int a, int b, double side, int capture)
@@ -187,7 +188,21 @@ static inline int scene_cord(scene *s, int a, int sense_a, int b, int sense_b, d
 {
     return SCENE_ROW(s, PM_TABLE_CONTACT, PM_CONTACT_CORD, a, b, PM_NONE, scene_value(s, e),
                      PM_FRICTION_SMOOTH, PM_NONE, PM_NONE, PM_NONE, scene_value(s, slack), sense_a, sense_b,
-                     PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS, PM_NONE);
+                     PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS, PM_NONE,
+                     PM_NONE);
+}
+/* Both flanks of wheels a, b, or (side 0) of wheel a and a rack on line b, in the middle of their backlash, m. */
+static inline int scene_flanks(scene *s, int a, int b, double side, double pressure, double backlash,
+                               double e)
+{
+    int row = 0;
+    for (int flank = 1; flank >= -1; flank -= 2)
+        row = SCENE_ROW(s, PM_TABLE_CONTACT, side == 0 ? PM_CONTACT_RACK : PM_CONTACT_TEETH, a, b,
+                        side == 0 ? PM_NONE : scene_value(s, side), scene_value(s, e), PM_FRICTION_SMOOTH,
+                        PM_NONE, PM_NONE, PM_NONE, scene_value(s, 0.5 * backlash * cos(pressure)), flank, 1,
+                        PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS, PM_NONE,
+                        scene_value(s, pressure));
+    return row - 1;
 }
 /* A drive: PM_JOINT_RATE of bodies or PM_JOINT_DRIVE of points, by programs of the time. */
 static inline int scene_drive(scene *s, int kind, int a, int b, int program_x, int program_y)

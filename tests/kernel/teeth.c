@@ -21,7 +21,7 @@ typedef struct wheels {
     int body[2], pin[2], mesh;
 } wheels;
 
-static wheels wheels_create(int route)
+static wheels wheels_create(int route, double backlash)
 {
     wheels x = {.s = scene_create()};
     const double inertia[2] = {ia, ib}, radius[2] = {ra, rb};
@@ -35,7 +35,8 @@ static wheels wheels_create(int route)
         circle[i] = scene_circle(x.s, g, radius[i]);
         x.pin[i] = scene_joint(x.s, PM_JOINT_PIN, g, scene_point(x.s, PM_GROUND, at, 0), 0);
     }
-    x.mesh = scene_teeth(x.s, circle[0], circle[1], 1, PHI);
+    x.mesh = backlash > 0 ? scene_flanks(x.s, circle[0], circle[1], 1, PHI, backlash, 0.5)
+                          : scene_teeth(x.s, circle[0], circle[1], 1, PHI);
     return x;
 }
 
@@ -44,7 +45,7 @@ static double share(double c, int sense) { return (ra + sense * c) / (rb - sense
 
 static void reverses(int route, double c)
 {
-    wheels x = wheels_create(route);
+    wheels x = wheels_create(route, 0);
     scene *s = x.s;
     swinging_couple(s, x.body[0]);
     scene_force(s, PM_FORCE_FRICTION, x.mesh, x.mesh, 0, c * cos(PHI));
@@ -73,7 +74,7 @@ static void reverses(int route, double c)
 /* An impulse against the sense of a couple that turns on: it has its own flank, and the couple the other. */
 static void struck(double sense)
 {
-    wheels x = wheels_create(PM_ROUTE_AUTO);
+    wheels x = wheels_create(PM_ROUTE_AUTO, 0);
     scene *s = x.s;
     scene_couple(s, x.body[0], PM_GROUND, SCENE_PROGRAM(s, scene_k(s, size)));
     const int e = scene_when(s, PM_TRIGGER_CROSS,
@@ -117,6 +118,25 @@ static void on_a_rack(int route)
     scene_free(s);
 }
 
+/* A wheel that bounces on a flank, until it lies on it: the couple has then turned both.  Whichever flank it is. */
+static void bounces(int route, double sense)
+{
+    wheels x = wheels_create(route, 1e-3);
+    scene *s = x.s;
+    scene_couple(s, x.body[0], PM_GROUND, SCENE_PROGRAM(s, scene_k(s, size * sense)));
+    scene_until_time(s, 0.2);
+    const int a = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, x.body[0]));
+    const int b = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, x.body[1]));
+    const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, x.body[0]));
+    const int apart = scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, x.pin[1], PM_PART_X));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double of = ia + ib * ra * ra / (rb * rb), close = route == PM_ROUTE_IDA ? 1e-6 : 1e-10;
+    NEAR(s->out[omega], size * sense * 0.2 / of, 30 * close);
+    NEAR(ra * s->out[a] + rb * s->out[b], sense * 0.5e-3, 1e-11);
+    NEAR(s->out[apart], -ib * size / of * ra / rb / rb * tan(PHI), 100 * close);
+    scene_free(s);
+}
+
 int main(void)
 {
     static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
@@ -124,6 +144,8 @@ int main(void)
         reverses(routes[i], 0);
         reverses(routes[i], 0.005);
         on_a_rack(routes[i]);
+        bounces(routes[i], 1);
+        bounces(routes[i], -1);
     }
     struck(1);
     struck(-1);

@@ -64,6 +64,7 @@ VARIANTS = {
         "gears",
         'e = { gears = ["a.rim", "b.rim"], pressure_angle = "20 deg", efficiency = 0.9 }',
     ),
+    "gears with backlash": ("gears", 'e = { gears = ["a.rim", "b.rim"], backlash = "1 mm" }'),
     "rack": ("gears", 'e = { gears = ["a.rim", "ground.floor"], pressure_angle = "20 deg" }'),
     "damper of points": ("damper", 'e = { damper = ["a.E", "ground.S"], rate = "3 N*s/m" }'),
 }

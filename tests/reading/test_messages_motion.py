@@ -23,7 +23,7 @@ FAULTS = [
     ),
     (
         'couplings.c = { gears = ["disk.rim", "AB.A"] }',
-        'couplings.c.gears[1] = "AB.A": AB.A is a point; a circle is wanted',
+        'couplings.c.gears[1] = "AB.A": AB.A is a point; a circle or line is wanted',
     ),
     ('couplings.c = { cord = ["P"] }', 'couplings.c.cord = ["P"]: at least two points or rims are wanted'),
     ('couplings.c = { cord = "P" }', 'couplings.c.cord = "P": points and rims in order are wanted, such as'),

@@ -174,7 +174,7 @@ def _couplings(made: HistoryColumns) -> Iterator[Act]:
                 name,
                 side,
                 force=_pair(name, "force", body) if vector else None,
-                couple=None if vector else f"{name}.couple on {body}",
+                couple=f"{name}.couple on {body}" if info.coupling.turns else None,
                 impulse=_pair(name, "impulse", body) if vector else None,
                 turn=None if vector else f"{name}.?",
             )

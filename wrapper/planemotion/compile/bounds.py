@@ -56,6 +56,7 @@ _BOUNDS = (
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_KINETIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_SLACK, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STIFFNESS, 0, above=True),
+    _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_PRESSURE, 0, math.pi / 3),
     *(
         _Bound(layout.PM_TABLE_FORCE, layout.PM_FORCE_VALUE_1, 0, only=(layout.PM_FORCE_KIND, kind))
         for kind in (
@@ -135,6 +136,7 @@ _COLUMNS: dict[tuple[int, int], _Named] = {
     (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_KINETIC): ("friction", ""),
     (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_SLACK): ("", "m"),
     (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STIFFNESS): ("stiffness", "N/m"),
+    (layout.PM_TABLE_CONTACT, layout.PM_CONTACT_PRESSURE): ("", "rad"),
     (layout.PM_TABLE_SPIN, layout.PM_SPIN_INERTIA): ("inertia", "kg*m^2"),
     (layout.PM_TABLE_SPIN, layout.PM_SPIN_ANGLE): ("angle", "rad"),
     (layout.PM_TABLE_SETTING, layout.PM_SETTING_MAX_TIME): ("max_time", "s"),

@@ -211,6 +211,7 @@ class Contacts:
             layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
             layout.PM_CONTACT_PAINLEVE: _PAINLEVE[contact.painleve],
             layout.PM_CONTACT_STIFFNESS: self._stiffness(contact, law, path),
+            layout.PM_CONTACT_PRESSURE: layout.PM_NONE,
         }
 
     def _stiffness(self, contact: Contact, law: int, path: str) -> int:

@@ -162,6 +162,8 @@ class Instants:
             return layout.PM_TRIGGER_REST, nothing, (self.measures.drawing.body_index(thing),)
         if thing in self.measures.scope.joints:
             return self._joint_change(thing, change)
+        if thing in self.measures.scope.couplings:
+            return self._flank_change(thing, change)
         contacts = self.measures.scope.contacts
         name, bracket, index = (thing, "", "") if thing in contacts else thing.partition("[")
         if name not in contacts:
@@ -189,6 +191,13 @@ class Instants:
         if not joint.rubs:
             raise SceneError(f'the joint "{thing}" has no friction: it neither sticks nor stops slipping')
         return _JOINT_TRIGGER[change], layout.PM_NONE, (joint.index,)
+
+    def _flank_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
+        """Triggers of both flanks of gears with backlash."""
+        found = self.measures.scope.couplings[thing]
+        if found.kind == "cord" or not found.indices or change not in words.CAPTURE_CHANGES:
+            raise SceneError(f"{found.kind} do not {change[:-1] if change.endswith('s') else change}")
+        return _CONTACT_TRIGGER[change], layout.PM_NONE, found.indices
 
     def _cord_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         """Triggers of all strands of a cord."""

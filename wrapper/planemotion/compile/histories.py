@@ -117,4 +117,8 @@ def _coupling_quantities(coupling: CouplingInfo) -> tuple[str, ...]:
     """Its columns; of strands, those of each."""
     count = len(coupling.indices)
     spans = [f"[{span}]" for span in range(1, count + 1)] if count > 1 else [""]
-    return tuple(f"{quantity}{span}" for quantity in coupling.coupling.columns for span in spans)
+    return tuple(
+        f"{quantity}{span}"
+        for quantity in coupling.coupling.columns
+        for span in (spans if "." not in quantity else [""])
+    )

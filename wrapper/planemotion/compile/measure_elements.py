@@ -125,7 +125,7 @@ class ElementMeasures:
             return self._of_strands(address, cord, source)
         self.rows.ends(address, 1)
         self.rows.plain(address, ())
-        kind, index = source.kinds[0], cord.indices[self._span(address, len(cord.indices))]
+        kind, index = _of_strand(source), cord.indices[self._span(address, len(cord.indices))]
         return Reading(self.rows.leaf(kind, index, address, part=source.part), source.dimension)
 
     def _of_strands(self, address: Address, cord: CouplingInfo, source: Quantity) -> Reading:
@@ -134,7 +134,7 @@ class ElementMeasures:
         if on not in cord.bodies:
             raise SceneError(f'"{address}": {address.thing} acts on {" and ".join(cord.bodies)}, not on {on}')
         strands = [i for i, pair in zip(cord.indices, cord.owners, strict=True) if on in pair]
-        rows = [(source.kinds[0], index) for index in strands]
+        rows = [(_of_strand(source), index) for index in strands]
         body = self.rows.drawing.body_index(on)
         return self.rows.vector(
             address, address.path[1:], rows, source.dimension, ("in", "on", "along"), body
@@ -222,3 +222,7 @@ class ElementMeasures:
         count = quantity == "count"
         kind = layout.PM_MEASURE_EVENT_COUNT if count else layout.PM_MEASURE_EVENT_TIME
         return Reading(self.rows.leaf(kind, event, address), DIMENSIONLESS if count else TIME)
+
+
+def _of_strand(source: Quantity) -> int:
+    return source.kinds[0] if source.strand is None else source.strand

@@ -86,6 +86,11 @@ class Coupling(Kind):
     def draw(self, sketch: Sketch, where: str) -> Place:
         """Draws it; gives the place that its name belongs to."""
 
+    @property
+    def turns(self) -> bool:
+        """Whether a couple acts on its partners."""
+        return "couple" in self.quantities
+
     def pushes(self, sketch: Sketch, where: str) -> tuple[Push, ...]:
         """Where it acts on its partners: once, or by strands that pull from one end to the other."""
         return ()

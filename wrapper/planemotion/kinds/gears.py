@@ -31,8 +31,12 @@ if TYPE_CHECKING:
 class Gears(Coupling):
     word = "gears"
     quantities = {
-        "force": Quantity((layout.PM_MEASURE_JOINT_FORCE,), FORCE, vector=True),
-        "impulse": Quantity((layout.PM_MEASURE_JOINT_IMPULSE,), IMPULSE, vector=True),
+        "force": Quantity(
+            (layout.PM_MEASURE_JOINT_FORCE,), FORCE, vector=True, strand=layout.PM_MEASURE_CONTACT_FORCE
+        ),
+        "impulse": Quantity(
+            (layout.PM_MEASURE_JOINT_IMPULSE,), IMPULSE, vector=True, strand=layout.PM_MEASURE_CONTACT_IMPULSE
+        ),
         "couple": Quantity((layout.PM_MEASURE_JOINT_COUPLE,), MOMENT, on=True),
     }
     columns = ("force.x", "force.y")
@@ -41,8 +45,15 @@ class Gears(Coupling):
     efficiency: Number | None = None
     friction: Annotated[Bearing | None, BeforeValidator(read_tooth_friction)] = None
 
+    backlash: Number | None = None
+    restitution: Number = 0
+
     def rows(self, to: Writer, path: str) -> CouplingRows:
         a, b = self._pair(to, path)
+        if self.backlash is not None:
+            return self._flanks(to, a, b, path)
+        if "restitution" in self.model_fields_set:
+            raise SceneError("teeth without backlash do not strike each other", path=f"{path}.restitution")
         index = self._mesh(to, a, b, path)
         self._rub(to, a, b, index, path)
         return CouplingRows(index, (), ((a.owner, b.owner),))
@@ -73,6 +84,54 @@ class Gears(Coupling):
         return to.joint(
             kind, wheel, other, path, value=value, second=None if angle is None else (angle, where)
         )
+
+    def _flanks(self, to: Writer, a: Partner, b: Partner, path: str) -> CouplingRows:
+        """A contact for each flank; the first pushes a along the tangent, left of the line from b to a."""
+        for key in ("efficiency", "friction"):
+            if key in self.model_fields_set:
+                raise SceneError("not built yet: friction of teeth with backlash", path=f"{path}.{key}")
+        where = f"{path}.backlash"
+        assert self.backlash is not None
+        backlash = to.reader.number(self.backlash, where, LENGTH)
+        angle = self._angle(to, path)
+        row = dict.fromkeys(range(layout.PM_CONTACT_COLUMNS), layout.PM_NONE)
+        row |= {
+            layout.PM_CONTACT_A: kernel_circle(to.drawn, a),
+            layout.PM_CONTACT_RESTITUTION: to.tables.value(
+                to.reader.number(self.restitution, f"{path}.restitution", DIMENSIONLESS),
+                f"{path}.restitution",
+            ),
+            layout.PM_CONTACT_FRICTION: layout.PM_FRICTION_SMOOTH,
+            layout.PM_CONTACT_SLACK: to.tables.value(0.5 * backlash * cos(angle), where),
+            layout.PM_CONTACT_PRESSURE: to.tables.value(angle, f"{path}.pressure_angle"),
+            layout.PM_CONTACT_LAW: layout.PM_LAW_NEWTON,
+            layout.PM_CONTACT_PAINLEVE: layout.PM_PAINLEVE_STOPS,
+            layout.PM_CONTACT_CAPTURE: layout.PM_CAPTURE_NONE,
+            layout.PM_CONTACT_SENSE_B: 1,
+        }
+        if isinstance(b.mark, LineMark):
+            row[layout.PM_CONTACT_KIND] = layout.PM_CONTACT_RACK
+            row[layout.PM_CONTACT_B] = to.drawn.line(b.owner, b.mark, b.where)
+        else:
+            row[layout.PM_CONTACT_KIND] = layout.PM_CONTACT_TEETH
+            row[layout.PM_CONTACT_B] = kernel_circle(to.drawn, b)
+            row[layout.PM_CONTACT_SIDE] = to.tables.value(side(to.drawing, a, b), f"{path}.gears")
+        indices = tuple(
+            to.tables.add(
+                layout.PM_TABLE_CONTACT, row | {layout.PM_CONTACT_SENSE_A: flank}, f"{path}[{number}]"
+            )
+            for number, flank in ((1, 1), (2, -1))
+        )
+        return CouplingRows(None, indices, ((a.owner, b.owner),) * 2)
+
+    def _angle(self, to: Writer, path: str) -> Node:
+        if self.pressure_angle is None:
+            return ZERO
+        return to.reader.number(self.pressure_angle, f"{path}.pressure_angle", DIMENSIONLESS)
+
+    @property
+    def turns(self) -> bool:
+        return self.efficiency is not None or self.friction is not None
 
     def _rub(self, to: Writer, a: Partner, b: Partner, index: int, path: str) -> None:
         """The couple between the wheels that goes with the force of the teeth."""

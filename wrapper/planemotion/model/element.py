@@ -40,6 +40,7 @@ class Element(Table):
 class Quantity:
     """What the word of a quantity reads: kinds of measures of the kernel, one for each strand of a belt.
 
+    `strand`: what it reads of the contacts that a coupling is made of, where these are no `kinds`;
     `vector`: it has parts; `part`: the one that is meant; `on`: its sign goes with the body that it acts on.
     """
 
@@ -48,6 +49,7 @@ class Quantity:
     vector: bool = False
     part: int = layout.PM_PART_NONE
     on: bool = False
+    strand: int | None = None
 
 
 class Kind(Element):

@@ -42,7 +42,11 @@ _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
     ),
 }
 _ELEMENT_TABLES = (Element, tables.Friction, Bearing)
-_NAMES = {"SceneData": "The file", "Element": "What all elements take", "Bearing": "Friction of a bearing or of teeth"}
+_NAMES = {
+    "SceneData": "The file",
+    "Element": "What all elements take",
+    "Bearing": "Friction of a bearing or of teeth",
+}
 _MEASURES = {
     "body": "Of a body: `BODY.WORD`",
     "point": "Of a point: `BODY.POINT.WORD`; without a point of the mass centre",
