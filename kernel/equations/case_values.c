@@ -65,7 +65,7 @@ enum { BOUNDS = sizeof bounds / sizeof *bounds };
 
 static const int32_t *entry_of(const pm_model *m, const pm_bounds *x, int row)
 {
-    return pm_model_row(m, x->table, row, pm_table_columns[x->table]) + x->column;
+    return pm_model_row(m, x->table, row, pm_reference_columns[x->table]) + x->column;
 }
 
 static int program_of(const pm_model *m, int value)

@@ -20,8 +20,8 @@ typedef struct pm_numbers {
     int is_folded;             /* `folded` is worked out */
     double *mass;              /* [nbody] kg */
     double *inverse_mass;      /* [nq] 1/kg, 1/(kg m^2): diagonal of M^-1; 0: held (a particle's angle) */
-    double *inverse_root; /* [nq] its square root, but no more than PM_LIGHT_METRIC allows */
-    unsigned char *light; /* [nq] next to no inertia beside the heaviest body, of the scene's size */
+    double *inverse_root;      /* [nq] its square root, but no more than PM_LIGHT_METRIC allows */
+    unsigned char *light;      /* [nq] next to no inertia beside the heaviest body, of the scene's size */
     int light_any;
     double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
     unsigned char *fixed; /* [nbody + 1] the body is fixed; last: the ground, which is */

@@ -179,7 +179,7 @@ int pm_natural_size_create(pm_workspace *w, pm_natural_size *x)
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     for (int i = 0; i < m->nask && !status; i++)
-        x->shifts[i] = pm_program_reads(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], has_greatest) != PM_NONE;
+        x->shifts[i] = pm_program_walk_reads(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], has_greatest) != PM_NONE;
     return status;
 }
 

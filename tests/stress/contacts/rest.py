@@ -11,8 +11,9 @@ import itertools
 import numpy as np
 from scipy.optimize import nnls
 
+from tests.scenes import G
 from tests.stress.contacts.laws import Array
-from tests.stress.contacts.throws import G, Throw, Thrown, Wall
+from tests.stress.contacts.throws import Throw, Thrown, Wall
 
 NEAR = 1e-6  # m: touching
 BALANCED = 1e-6  # of the weights
