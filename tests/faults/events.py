@@ -226,7 +226,12 @@ FAULTS = [
         "return only_dips(b, only, k, left, right) ?",
         "return !b->at.jumps[only] ?",
     ),
-    Fault("branch: a jump has no other side", "events/extremum_branch.c", "*t - beside", "*t + beside"),
+    Fault(
+        "branch: a jump has no other side",
+        "events/extremum_branch.c",
+        "sign[i] = b->sign[k + side][i];",
+        "sign[i] = b->sign[k][i];",
+    ),
     Fault(
         "branch: one that no node shows",
         "events/extremum_branch.c",
