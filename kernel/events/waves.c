@@ -98,13 +98,10 @@ static int trigger_program(const pm_workspace *w, int function)
     return PM_TRIGGER_ROW(w->model, w->event->function[function].index)[PM_TRIGGER_PROGRAM];
 }
 
-/* A trigger that is sampled and may have waves.  (Speeds fall to zero as the root of the energy does, where the motion
- * reverses: that is none.) */
+/* A trigger that is sampled and may have waves. */
 static int is_watched(const pm_workspace *w, int function)
 {
-    const int program = trigger_program(w, function);
-    return !w->event->function[function].owned && w->watched->waves->possible[program] &&
-           w->model->programs.energy[program] != PM_ENERGY_CLASS_ROOT;
+    return !w->event->function[function].owned && w->watched->waves->possible[trigger_program(w, function)];
 }
 
 int pm_waves_possible(const pm_workspace *w, int functions, int watched)
@@ -132,14 +129,28 @@ static pm_enclosure enclose(const pm_waves_course *c, double from, double to)
 
 static int is_bounded(pm_interval x) { return isfinite(x.lo) && isfinite(x.hi); }
 
-/* The measures that it reads are the polynomials through their samples; else nothing can be said. */
-static int is_of_polynomials(const pm_waves_course *c)
+/* What the samples of a measure tell of it: the polynomial through them; not enough; or noise, of which shorter parts tell no
+ * more. */
+enum { SERIES_KNOWN, SERIES_SHORTER, SERIES_NOISE };
+
+static int known_of(const pm_waves_course *c, const pm_chebyshev_series *x)
+{
+    if (x->resolved || x->high <= c->w->numbers.tolerance * x->size) return SERIES_KNOWN;
+    return x->scatters ? SERIES_NOISE : SERIES_SHORTER;
+}
+
+/* The same of all the measures that it reads. */
+static int known(const pm_waves_course *c)
 {
     const pm_program_fold *f = c->w->model->programs.fold;
     const pm_measure_series *x = &c->w->watched->waves->along;
-    for (int k = f->first[c->program]; k < f->first[c->program + 1]; k++)
-        if (f->step[k].kind == STEP_MEASURE && !x->series[x->place[f->step[k].arg]].resolved) return 0;
-    return 1;
+    int all = SERIES_KNOWN;
+    for (int k = f->first[c->program]; k < f->first[c->program + 1]; k++) {
+        if (f->step[k].kind != STEP_MEASURE) continue;
+        const int one = known_of(c, &x->series[x->place[f->step[k].arg]]);
+        if (one > all) all = one;
+    }
+    return all;
 }
 
 /* Least and greatest sample; not bounded where one is no number. */
@@ -184,14 +195,33 @@ static int take_bends(const pm_waves_course *c, pm_interval range, pm_interval *
     return c->by_branches || off <= PM_WAVES_RATES * steepest + nodes->n * nodes->n * nothing;
 }
 
+/* How a program goes from one node to another. */
+typedef struct pm_passage {
+    pm_interval bends; /* it may have */
+    int budget;        /* of parts */
+    int passed;        /* switches, part by part */
+} pm_passage;
+
 /* Whether it stays within its bends over [from, to], and passes no switch that is not known there. */
-static int stays(const pm_waves_course *c, pm_interval bends, double from, double to, int *budget)
+static int stays(const pm_waves_course *c, pm_passage *x, double from, double to)
 {
     const double middle = 0.5 * (from + to);
     const pm_enclosure e = enclose(c, from, to);
-    if (e.open <= (c->by_branches ? e.changes : 0) && pm_interval_inside(e.jet.bend, bends)) return 1;
-    if (--*budget < 0) return 0;
-    return stays(c, bends, from, middle, budget) && stays(c, bends, middle, to, budget);
+    if (e.open <= (c->by_branches ? e.changes : 0) && pm_interval_inside(e.jet.bend, x->bends)) {
+        x->passed += e.changes;
+        return 1;
+    }
+    if (--x->budget < 0) return 0;
+    return stays(c, x, from, middle) && stays(c, x, middle, to);
+}
+
+/* The same from node k to the next: a switch that is passed there and back stands at both as it does at one. */
+static int stays_between(const pm_waves_course *c, pm_passage *x, int k)
+{
+    const double *at = c->w->step.nodes->at;
+    x->passed = 0;
+    return stays(c, x, at[k], at[k + 1]) &&
+           (x->passed == 0 || x->passed == enclose(c, at[k], at[k + 1]).changes);
 }
 
 /* From one node to another no switch is passed that is not known. */
@@ -199,10 +229,20 @@ static int has_known_switches(const pm_waves_course *c, int first, int last)
 {
     const double *at = c->w->step.nodes->at;
     const int middle = (first + last) / 2;
-    int budget = PM_TIME_PARTS;
-    if (last - first == 1) return stays(c, PM_INTERVAL_ALL, at[first], at[last], &budget);
+    pm_passage x = {.bends = PM_INTERVAL_ALL, .budget = PM_TIME_PARTS};
+    if (last - first == 1) return stays_between(c, &x, first);
     if (enclose(c, at[first], at[last]).open == 0) return 1;
     return has_known_switches(c, first, middle) && has_known_switches(c, middle, last);
+}
+
+/* The first switch over [from, to], to a part of 2^-halvings of it; INFINITY: there is none, or they are not told apart. */
+static double first_switch(const pm_waves_course *c, double from, double to, int halvings, int *budget)
+{
+    const double middle = 0.5 * (from + to);
+    if (--*budget < 0 || enclose(c, from, to).open == 0) return INFINITY;
+    if (halvings == 0) return from;
+    const double before = first_switch(c, from, middle, halvings - 1, budget);
+    return before < INFINITY ? before : first_switch(c, middle, to, halvings - 1, budget);
 }
 
 static int switches_only(const pm_waves_course *c)
@@ -215,7 +255,7 @@ static int is_calm_by_few(const pm_waves_course *c)
 {
     const pm_interval range = range_of(c);
     if (!is_bounded(range)) return 1;
-    if (!is_of_polynomials(c)) return 0;
+    if (known(c) != SERIES_KNOWN) return 0;
     return switches_only(c) ? has_known_switches(c, 0, c->w->step.nodes->n - 1) : is_calm(c, range);
 }
 
@@ -223,16 +263,16 @@ static int is_shown(const pm_waves_course *c)
 {
     const pm_chebyshev_nodes *nodes = c->w->step.nodes;
     const pm_interval range = range_of(c);
-    pm_interval bends;
-    int budget = PM_TIME_PARTS;
+    pm_passage x = {.budget = PM_TIME_PARTS};
     if (!is_bounded(range)) return 1; /* whoever watches says so */
-    if (!is_of_polynomials(c)) return 1;
+    const int told = known(c);
+    if (told != SERIES_KNOWN) return told == SERIES_NOISE;
     if (switches_only(c)) return has_known_switches(c, 0, nodes->n - 1);
     if (is_calm(c, range)) return 1;
     if (!c->by_branches && pm_chebyshev_tail(nodes, c->sample) > PM_TAIL_WAVES) return 0;
-    if (!take_bends(c, range, &bends)) return 0;
+    if (!take_bends(c, range, &x.bends)) return 0;
     for (int k = 0; k + 1 < nodes->n; k++)
-        if (!stays(c, bends, nodes->at[k], nodes->at[k + 1], &budget)) return 0;
+        if (!stays_between(c, &x, k)) return 0;
     return 1;
 }
 
@@ -242,7 +282,8 @@ static int is_shown_by_few(const pm_waves_course *c)
     const pm_interval range = range_of(c);
     pm_chebyshev_series own;
     double left_out = 0;
-    if (!is_bounded(range) || c->by_branches) return 1;
+    if (!is_bounded(range)) return 1;
+    if (c->by_branches) return 0; /* its switches need nodes between them */
     pm_chebyshev_series_of(&own, c->w->step.nodes, c->sample);
     for (int k = PM_NODES; k < own.n; k++) left_out += fabs(own.value[k]);
     return left_out <= PM_WAVES_FEW * pm_interval_width(range) + nothing_of(c, range);
@@ -260,20 +301,52 @@ static void fill_series(pm_workspace *w, int functions, int watched)
                                    s->value + i * PM_NODES_MOST);
 }
 
+static pm_waves_course course_of_trigger(pm_workspace *w, int function)
+{
+    return (pm_waves_course){w, pm_event_samples(w->event, function), trigger_program(w, function), 0};
+}
+
+static pm_waves_course course_of_ask(pm_workspace *w, int observer)
+{
+    const int ask = w->ask->observer[observer];
+    return (pm_waves_course){w, pm_ask_samples(w, ask), pm_ask_watched(w->model, w->ask, observer),
+                       w->ask->switches[ask] > 0};
+}
+
 /* Whether `is` holds for all triggers and asks that were sampled. */
 static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_waves_course *))
 {
     for (int i = 0; functions && i < w->event->ntrigger; i++) {
-        const pm_waves_course c = {w, pm_event_samples(w->event, i), trigger_program(w, i), 0};
+        const pm_waves_course c = course_of_trigger(w, i);
         if (is_watched(w, i) && !is(&c)) return 0;
     }
     for (int i = 0; watched && i < w->ask->nobserver; i++) {
-        const int ask = w->ask->observer[i];
-        const pm_waves_course c = {w, pm_ask_samples(w, ask), pm_ask_watched(w->model, w->ask, i),
-                                   w->ask->switches[ask] > 0};
+        const pm_waves_course c = course_of_ask(w, i);
         if (w->watched->waves->possible[c.program] && !is(&c)) return 0;
     }
     return 1;
+}
+
+/* Of one program that is not looked at branch by branch. */
+static double first_switch_of(const pm_waves_course *c)
+{
+    int budget = PM_SWITCH_PARTS;
+    if (c->by_branches || known(c) != SERIES_KNOWN) return INFINITY;
+    return first_switch(c, 0, 1, PM_SWITCH_HALVINGS, &budget);
+}
+
+double pm_waves_first_switch(pm_workspace *w, int functions, int watched)
+{
+    double first = INFINITY;
+    for (int i = 0; functions && i < w->event->ntrigger; i++) {
+        const pm_waves_course c = course_of_trigger(w, i);
+        if (is_watched(w, i)) first = pm_min(first_switch_of(&c), first);
+    }
+    for (int i = 0; watched && i < w->ask->nobserver; i++) {
+        const pm_waves_course c = course_of_ask(w, i);
+        if (w->watched->waves->possible[c.program]) first = pm_min(first_switch_of(&c), first);
+    }
+    return first;
 }
 
 int pm_waves_are_excluded(pm_workspace *w, int functions, int watched)

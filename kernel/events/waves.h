@@ -18,6 +18,9 @@ int pm_waves_possible(const pm_workspace *w, int functions, int watched);
 int pm_waves_are_excluded(pm_workspace *w, int functions, int watched);
 /* 1 if the samples at the nodes of the step, which are spectral, show all triggers and asks that were sampled. */
 int pm_waves_are_shown(pm_workspace *w, int functions, int watched);
+/* Where in the step that was sampled so (0 to 1) something first switches, of what is not looked at branch by branch; INFINITY if
+ * nothing does, or that is not told. */
+double pm_waves_first_switch(pm_workspace *w, int functions, int watched);
 /* 1 if samples at few nodes, as routes have them, would show these, too. */
 int pm_waves_are_shown_by_few(pm_workspace *w, int functions, int watched);
 

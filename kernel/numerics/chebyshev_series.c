@@ -83,10 +83,11 @@ void pm_chebyshev_series_of(pm_chebyshev_series *x, const pm_chebyshev_nodes *no
     transform(nodes, at_nodes(nodes, sample, moved), x->value);
     derive_all(x);
     x->size = sum_of_sizes(n, x->value);
-    const double changes = x->size - fabs(x->value[0]),
-                 high = pm_max(fabs(x->value[n - 1]), fabs(x->value[n - 2]));
+    const double changes = x->size - fabs(x->value[0]), upper = sum_of_sizes(n / 2, x->value + n - n / 2);
+    x->high = pm_max(fabs(x->value[n - 1]), fabs(x->value[n - 2]));
+    x->scatters = upper > PM_SERIES_SCATTERS * (changes - upper);
     x->resolved =
-        high <= (n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW) * changes + PM_SERIES_ROUNDING * x->size;
+        x->high <= (n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW) * changes + PM_SERIES_ROUNDING * x->size;
 }
 
 void pm_chebyshev_series_cut(pm_chebyshev_series *x, double part)

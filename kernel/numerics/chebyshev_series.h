@@ -10,8 +10,10 @@ typedef struct pm_chebyshev_series {
     int n;
     double value[PM_NODES_MOST], rate[PM_NODES_MOST], bend[PM_NODES_MOST]; /* coefficients */
     double size;  /* of the coefficients of the value, summed up */
+    double high;  /* greater one of the two highest coefficients */
     double third; /* bound of p''' */
     int resolved; /* the highest coefficients are small beside what changes, or beside rounding; of few nodes: rather small */
+    int scatters; /* the coefficients do not fall off: samples of noise */
 } pm_chebyshev_series;
 
 /* Through sample[nodes->n], at nodes of any kind (chebyshev_nodes.h). */

@@ -195,10 +195,14 @@
 #define PM_OFF_ZERO 1e-9 /* of a function's values beside its zero: it is not on it; larger: corners are met less exactly */
 #define PM_TAIL_WAVES 1e-4 /* tail of samples between which there may be waves: finer nodes are taken; larger: extremes are missed */
 #define PM_SERIES_ROUNDING 1e-14 /* of the coefficients: what rounding leaves of the highest, and values scatter by; larger: less is resolved */
+#define PM_SERIES_SCATTERS 0.5 /* of the lower coefficients, sums of both: the upper ones do not fall off; larger: noise is halved to the end */
 #define PM_TAIL_FEW 1e-2 /* likewise of up to five, which only tell whether more are needed; larger: waves are missed */
 #define PM_WAVES_CALM 10.0 /* times the range of the samples: a bend over a step that hides nothing between nodes; larger: peaks are missed */
 #define PM_WAVES_FEW 0.01 /* of the range of the samples: what the polynomial through few nodes may leave out; larger: waves are missed */
 #define PM_WAVES_RATES 0.05 /* of the greatest rate: the polynomial through samples has another one at a node: waves; larger: they are missed */
+#define PM_SWITCH_HALVINGS 42 /* of a step: a switch is so nearly known in it; less: jumps are seen less exactly */
+#define PM_SWITCH_PARTS 400   /* of a step: enclosed to find its first switch; less: windows are halved instead, each dearer */
+#define PM_WINDOW_SWITCH 1e-11 /* of a step: a window about a switch that has been found; larger: jumps less exact, less: rounding parts it */
 #define PM_WINDOW_LEAST 1e-9 /* of a step: what is not shown in a window so short is a corner; larger: waves are missed, less: corners cost more */
 #define PM_TAIL_RESOLVED 1e-6 /* tail of samples that show a function between the nodes; larger: zeros less exact, or missed */
 #define PM_TAIL_RESIDUAL 10.0 /* times the tail: how far a function may be from the polynomial through its samples; larger: more looks */
@@ -215,7 +219,6 @@
 #define PM_EXTREMUM_NEAR 0.3 /* of a bend: so much it changes over this part of 1 / n^2 of the step; larger: extremes at nodes less exact */
 #define PM_EXTREMUM_DIPS 1e-5 /* tail of a value whose corners can only be dips: looks show what they change; larger: extremes less exact */
 #define PM_EXTREMUM_SHARE 1e-2 /* of the tolerance: so little more is not looked for, but counts as an error; larger: errors larger */
-#define PM_JUMP_BESIDE 1e-13 /* of the nodes' distance: right before and right after a jump; larger: extremes at jumps less exact */
 #define PM_SWITCHES_APART 1e-9 /* of the nodes' distance: switches that are closer change together; larger: branches between them are left out */
 #define PM_HIDDEN_BEND 0.8 /* of the bend that a parabola would have: less is level; larger: more is searched by looks */
 #define PM_HIDDEN_ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide; larger: more is searched */

@@ -117,7 +117,7 @@ typedef struct pm_request {
 typedef struct pm_step {
     double begin, end;                      /* of what is looked at of it: all, or a window */
     double whole_begin, whole_end;          /* of the route's step; the state is at its end */
-    double least_window;                    /* events/step_window.h */
+    double least_window, reach, stuck;      /* events/step_window.h */
     int shown;                              /* the samples show what is watched, but for corners and jumps */
     double sampled_end;                     /* where the step ended when it was sampled */
     const struct pm_chebyshev_nodes *nodes; /* where it is sampled */

@@ -230,7 +230,7 @@ FAULTS = [
         "branch: a jump has no other side",
         "events/extremum_branch.c",
         "sign[i] = b->sign[k + side][i];",
-        "sign[i] = b->sign[k][i];",
+        "sign[i] = b->sign[k + 1][i];",
     ),
     Fault(
         "branch: one that no node shows",
@@ -424,10 +424,28 @@ FAULTS = [
         "if (more > WAVES) most = more;",
     ),
     Fault(
+        "waves: a switch that is passed there and back is passed once",
+        "events/waves.c",
+        "(x->passed == 0 ||",
+        "(1 ||",
+    ),
+    Fault(
+        "waves: what samples do not tell of a measure is not there",
+        "events/waves.c",
+        "return told == SERIES_NOISE;",
+        "return 1;",
+    ),
+    Fault(
+        "waves: few nodes tell branches",
+        "events/waves.c",
+        "if (c->by_branches) return 0;",
+        "if (c->by_branches) return 1;",
+    ),
+    Fault(
         "window: the step is not halved",
         "events/step_window.c",
-        "s->end = middle;",
-        "return PM_OK;",
+        "if (!(end < s->end)) return PM_OK;",
+        "if (1) return PM_OK;",
     ),
     Fault(
         "window: what is left of the step is passed over",

@@ -1,4 +1,4 @@
-"""`python -m tests.stress.misses`: random pulses and waves, and what became of them."""
+"""`python -m tests.stress.misses`: random pulses, waves and peaks, and what became of them."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from collections import Counter
 from rich.console import Console
 from rich.table import Table
 
-from tests.stress.misses import pulses, waves
+from tests.stress.misses import peaks, pulses, waves
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT, TOLD
 
-BATCH = 200  # cases of one scene, run as one sweep
+BATCHES = {"pulses": 200, "waves": 200, "peaks": 10}  # cases of one scene, run as one sweep
 SHOWN = 10  # faults that are shown
 
 
@@ -23,6 +23,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--pulses", type=int, default=10_000)
     parser.add_argument("--waves", type=int, default=10_000)
+    parser.add_argument("--peaks", type=int, default=4_000)
     parser.add_argument("--first", type=int, default=0, help="number of the first batch")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     given = parser.parse_args()
@@ -30,8 +31,8 @@ def main() -> int:
     begun = time.monotonic()
     tasks = [
         (kind, given.first + i)
-        for kind, count in (("pulses", given.pulses), ("waves", given.waves))
-        for i in range(-(-count // BATCH))
+        for kind, count in (("pulses", given.pulses), ("waves", given.waves), ("peaks", given.peaks))
+        for i in range(-(-count // BATCHES[kind]))
     ]
     found: dict[tuple[str, str, str], Counter[str]] = {}
     faults: list[str] = []
@@ -48,12 +49,16 @@ def main() -> int:
 
 def _batch(task: tuple[str, int]) -> tuple[tuple[str, str, str], Counter[str], list[str]]:
     kind, seed = task
+    n = BATCHES[kind]
     if kind == "pulses":
-        train, words, drawn = pulses.table(seed, BATCH)
+        train, words, drawn = pulses.table(seed, n)
         what, route = "on a spring" if train.spring else "free", train.route
-    else:
-        wave, words, drawn = waves.table(seed, BATCH)
+    elif kind == "waves":
+        wave, words, drawn = waves.table(seed, n)
         what, route = wave.motion, wave.route
+    else:
+        peak, words, drawn = peaks.table(seed, n)
+        what, route = peak.name, peak.route
     wrong = [
         f"{kind} {seed}, case {i} ({what}, {route or 'default'}): {word}: {drawn[i].tolist()}"
         for i, word in enumerate(words)

@@ -7,7 +7,8 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from tests.stress.misses import pulses, waves
+from tests.stress.misses import peaks, pulses, waves
+from tests.stress.misses.motions import END, SCENES, place
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
 
 CASES = 60
@@ -20,6 +21,37 @@ def test_nothing_short_is_missed(kind: object) -> None:
         found.update(kind.table(seed, CASES)[1])  # type: ignore[attr-defined]
     assert found[MISSED] == found[BEYOND] == 0
     assert found[RIGHT] > 0.85 * 8 * CASES
+
+
+def test_no_peak_with_corners_is_missed() -> None:
+    """Extremes and counts of expressions with abs, min, max, floor and comparisons, beside their pieces."""
+    found: Counter[str] = Counter()
+    for seed in range(60):
+        found.update(peaks.table(seed, 2)[1])
+    assert found[MISSED] == found[BEYOND] == 0
+    assert found[RIGHT] > 0.95 * 120
+
+
+@pytest.mark.parametrize("motion", SCENES)
+def test_the_motions_keep_their_energy(motion: str) -> None:
+    t = np.linspace(0, END[motion], 50)
+    p = {"v": 0.8, "u": 2.0, "q": 1.7}
+    at = place(motion, p, t)
+    energy = {
+        "flies": lambda: 0.5 * at["speed"] ** 2 + 9.81 * at["y"],
+        "swings": lambda: 0.5 * (1.5**2 / 3) * at["omega"] ** 2 + 9.81 * 0.5 * at["y"],
+        "springs": lambda: at["speed"] ** 2 + 36 * at["x"] ** 2,
+    }[motion]()
+    np.testing.assert_allclose(energy, energy[0], rtol=1e-12)
+
+
+def test_the_truth_of_peaks_is_that_of_many_places() -> None:
+    for seed in range(30):
+        peak, (p,) = peaks.cases_of(seed, 1)
+        (_, high, low), _ = peaks.truth_of(peak, p)
+        g = peak.value(p, np.linspace(0, END[peak.motion], 20_001)[1:-1])
+        assert g.max() <= high + 1e-8
+        assert g.min() >= low - 1e-8
 
 
 def test_a_sample_in_a_pulse_does_not_tell_it() -> None:
