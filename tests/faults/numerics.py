@@ -145,8 +145,8 @@ FAULTS = [
     Fault(
         "series: what nodes do not resolve is resolved",
         "numerics/chebyshev_series.c",
-        "x->resolved = high <=",
-        "x->resolved = 1 || high <=",
+        "x->resolved = x->high <=",
+        "x->resolved = 1 || x->high <=",
     ),
     Fault(
         "waves: any bend is calm",
