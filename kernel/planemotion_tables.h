@@ -233,8 +233,9 @@ enum pm_measure_kind {
     PM_MEASURE_MODE_OMEGA = 50, /* of small motion: mode number `member`, from 1; in asks at instants alone */
     PM_MEASURE_MODE_DAMPING = 51,
     PM_MEASURE_MODES_COUNT = 52,
-    PM_MEASURE_MODES_GROWTH = 53, /* > 0: small motion grows */
-    PM_MEASURE_KINDS = 54
+    PM_MEASURE_MODES_GROWTH = 53,   /* > 0: small motion grows */
+    PM_MEASURE_CONTACT_COUPLE = 54, /* of what is captured as one body; 0 of all else */
+    PM_MEASURE_KINDS = 55
 };
 enum pm_part {
     PM_PART_NONE = 0,

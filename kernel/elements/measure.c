@@ -62,6 +62,7 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_CONTACT_FRICTION_NEEDED] = {CONTACT, MOTION, CONVEX, 0, DYNAMIC,
                                             .scalar = pm_measured_contact_friction_needed},
     [PM_MEASURE_CONTACT_FORCE] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC, .vector = pm_measured_contact_force},
+    [PM_MEASURE_CONTACT_COUPLE] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_contact_couple},
     [PM_MEASURE_CONTACT_IMPULSE] = {CONTACT, MOTION, UNKNOWN, 0, OF_ALL,
                                     .vector = pm_measured_contact_impulse},
     [PM_MEASURE_FORCE_FORCE] = {FORCE, MOTION, UNKNOWN, 0, 0, .vector = pm_measured_force_force},

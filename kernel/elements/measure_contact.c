@@ -141,6 +141,15 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
     }
 }
 
+/* At the place where it is held; the angle is its last constraint. */
+double pm_measured_contact_couple(const pm_measure_args *x)
+{
+    double sum = 0;
+    for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i))
+        if (x->w->state.slot[i].mode == PM_CAPTURED) sum += held_force(x->w, i, PM_JOINT_CONSTRAINTS - 1);
+    return side_of(x) * sum;
+}
+
 /* Of the last blow, in whatever slots it was. */
 void pm_measured_contact_impulse(const pm_measure_args *x, double out[2])
 {

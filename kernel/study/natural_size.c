@@ -101,6 +101,7 @@ static double (*const greatest[PM_MEASURE_KINDS])(const pm_workspace *w) = {
     [PM_MEASURE_CONTACT_NORMAL] = all_forces,
     [PM_MEASURE_CONTACT_FRICTION] = all_forces,
     [PM_MEASURE_CONTACT_FORCE] = all_forces,
+    [PM_MEASURE_CONTACT_COUPLE] = all_couples,
     [PM_MEASURE_JOINT_COUPLE] = all_couples,
 };
 

@@ -76,6 +76,12 @@ FAULTS = [
         "out[1] = pose[4] * x",
     ),
     Fault(
+        "capture: the couple is a force",
+        "elements/measure_contact.c",
+        "held_force(x->w, i, PM_JOINT_CONSTRAINTS - 1)",
+        "held_force(x->w, i, 0)",
+    ),
+    Fault(
         "capture: a body is held as a pin",
         "elements/capture.c",
         "can_rotate(frame, normal.body[1]) ? 3 : 2",

@@ -171,6 +171,25 @@ static void free_bodies(int kind, int capture, int particle)
     scene_free(s);
 }
 
+/* Two bodies in a row, held as one from the start on, of which b is turned: what turns a goes through the place of contact. */
+static void couple_between(int route)
+{
+    scene *s = scene_create();
+    const double ma = 1.3, mb = 2.1, ia = 0.4, ib = 0.9, size = 0.7;
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    const int a = scene_body(s, ma, ia, 0, 0, 0), b = scene_body(s, mb, ib, 1, 0, 0);
+    const int hit = scene_capture(s, PM_CONTACT_POINT, scene_circle(s, scene_point(s, a, 0.4, 0), 0),
+                                  scene_circle(s, scene_point(s, b, -0.6, 0), 0), 1, PM_CAPTURE_BODY);
+    scene_couple(s, b, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, size)));
+    scene_until_time(s, 0.5);
+    const int couple = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_COUPLE, hit));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double middle = mb / (ma + mb), alpha = size / (ia + ib + ma * mb / (ma + mb));
+    NEAR(s->out[couple], alpha * (ia + ma * 0.4 * middle), 1e-7);
+    scene_free(s);
+}
+
 /* ---- meeting and passing ---- */
 /* A ball thrown up past a post's tip that it misses by `miss` on the way down; a steep one goes by on its way up, too, which
  * may be in the same step. */
@@ -466,5 +485,8 @@ int main(void)
     refused(PM_CONTACT_POINT, PM_CAPTURE_NONE, PM_FRICTION_SMOOTH);
     refused(PM_CONTACT_LINE, PM_CAPTURE_BODY, PM_FRICTION_COULOMB);
     refused(PM_CONTACT_LINE, PM_CAPTURES, PM_FRICTION_SMOOTH);
+    couple_between(PM_ROUTE_AUTO);
+    couple_between(PM_ROUTE_RK);
+    couple_between(PM_ROUTE_IDA);
     return check_failures();
 }

@@ -57,6 +57,36 @@ def test_clay_in_a_rod(route: str, partners: str) -> None:
     assert got["closed"] == 1
 
 
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("partners", ['"beam.A", "post.B"', '"post.B", "beam.A"'])
+def test_the_couple_that_holds_a_captured_body(partners: str, route: str) -> None:
+    """A beam falls onto a turning post: its weight and its acceleration, about where it is held."""
+    values = answers(
+        f"""
+until = "t = 0.6 s"
+{rod_on_pin("post", length="1 m", mass="4 kg", angle="90 deg")}
+bodies.beam = {{ rod = ["A", "B"], length = "0.5 m", mass = "2 kg", at = {{ A = [0, "1.2 m"] }} }}
+contacts.hit = {{ touch = [{partners}], capture = "body" }}
+[ask]
+couple = "hit.couple on beam"
+first = "hit.couple"
+opposite = "hit.couple on post"
+alpha = "beam.alpha"
+ax = "beam.acceleration.x"
+ay = "beam.acceleration.y"
+x = "beam.B.x - beam.A.x"
+y = "beam.B.y - beam.A.y"
+""",
+        route,
+    )
+    arm = values["x"] / 2, values["y"] / 2  # from where it is held to its mass centre
+    about = 2 * (arm[0] * (values["ay"] + 9.81) - arm[1] * values["ax"]) + 2 * 0.25 / 12 * values["alpha"]
+    assert abs(about) > 0.1
+    assert values["couple"] == pytest.approx(about, rel=within(route))
+    assert values["opposite"] == pytest.approx(-values["couple"])
+    assert values["first"] == values["couple" if partners.startswith('"beam') else "opposite"]
+
+
 @pytest.mark.parametrize("capture", ["pin", "body"])
 def test_a_disk_on_a_disk(capture: str) -> None:
     """As a pin both turn about the place of contact, as a body they have one spin."""

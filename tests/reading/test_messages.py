@@ -289,7 +289,6 @@ FAULTS = [
 ]
 
 NOT_BUILT = [
-    ('contacts.c = { table = ["P"] }', "contacts.c.table"),
     ('start.AB.omega = "~3 rad/s"', 'start.AB.omega = "~3 rad/s"'),
 ]
 

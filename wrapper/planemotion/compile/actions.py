@@ -37,6 +37,7 @@ _LATER = frozenset(
         layout.PM_MEASURE_CONTACT_FRICTION,
         layout.PM_MEASURE_CONTACT_FRICTION_NEEDED,
         layout.PM_MEASURE_CONTACT_FORCE,
+        layout.PM_MEASURE_CONTACT_COUPLE,
     )
 )
 

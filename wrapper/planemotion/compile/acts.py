@@ -205,6 +205,7 @@ def _contacts(made: HistoryColumns) -> Iterator[Act]:
             for side, body in _sides(contact.owners):
                 forces, impulses = _pair(thing, "force", body), _pair(thing, "impulse", body)
                 unread = f"{thing}.?" if contact.holds_direction else None
+                couple = f"{thing}.couple on {body}" if contact.holds_direction else None
                 yield Act(
                     body,
                     "contacts",
@@ -212,7 +213,7 @@ def _contacts(made: HistoryColumns) -> Iterator[Act]:
                     side,
                     part,
                     forces,
-                    unread,
+                    couple,
                     impulse=impulses,
                     turn=unread,
                     closed=f"{thing}.closed",

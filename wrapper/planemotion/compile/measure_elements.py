@@ -170,6 +170,8 @@ class ElementMeasures:
                 address, address.path[1:], sources, found, ("in", "on", "along"), on, member
             )
         self.rows.ends(address, 1)
+        if quantity == "couple":
+            return self._of_capture(address, contact, indices, member)
         self.rows.plain(address, ())
         kind, found = _CONTACT[quantity]
         leaves = [self.rows.leaf(kind, index, address, member=member) for index in indices]
@@ -182,6 +184,22 @@ class ElementMeasures:
             together = _OVER_SET[quantity]
             node = sum(leaves[1:], leaves[0]) if together == "+" else call(together, *leaves)
         return Reading(negative(node) if contact.swapped and quantity in _SIGNED else node, found)
+
+    def _of_capture(
+        self, address: Address, contact: ContactInfo, indices: tuple[int, ...], member: int
+    ) -> Reading:
+        """The couple that keeps what was caught as one body from turning."""
+        self.rows.plain(address, ("on",))
+        if not contact.holds_direction:
+            raise SceneError(
+                f'"{address}": it captures as a pin, which has no couple; capture = "body" has one'
+            )
+        on = self.rows.on(address, contact.owners)
+        if on is None and contact.swapped:
+            on = self.rows.drawing.body_index(contact.owners[0])
+        kind = layout.PM_MEASURE_CONTACT_COUPLE
+        leaves = [self.rows.leaf(kind, index, address, member=member, on=on) for index in indices]
+        return Reading(sum(leaves[1:], leaves[0]), MOMENT)
 
     def _members(self, address: Address, contact: ContactInfo) -> tuple[tuple[int, ...], int]:
         """Kernel contacts, and the member of a row, that the index in brackets selects."""

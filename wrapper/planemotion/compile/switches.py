@@ -36,6 +36,7 @@ _AFTER_FORCES = frozenset(
         "CONTACT_FRICTION",
         "CONTACT_FRICTION_NEEDED",
         "CONTACT_FORCE",
+        "CONTACT_COUPLE",
         "CONTACT_IMPULSE",
         "FORCE_FORCE",
         "FORCE_COUPLE",

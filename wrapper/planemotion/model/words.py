@@ -44,7 +44,7 @@ DRIVE_QUANTITIES = ("force", "couple", "power")
 CONTACT_QUANTITIES = (
     *("gap", "closed", "slip", "normal", "friction", "friction_needed", "force", "impulse"),
 )
-CAPTURE_QUANTITIES = ("gap", "closed", "force", "impulse")  # what holds has no normal and no friction
+CAPTURE_QUANTITIES = ("gap", "closed", "force", "couple", "impulse")  # no normal and no friction
 FORCE_QUANTITIES = ("force", "couple", "work", "power", "stretch", "stretch_rate", "energy")
 EVENT_QUANTITIES = ("count", "time")
 ENERGIES = ("kinetic", "potential", "total", "lost")

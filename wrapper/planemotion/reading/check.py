@@ -39,10 +39,6 @@ from ..model.tabulated import Tabulated
 from .scene import SceneData
 
 # Kinds of the language that are not built yet -> what they are.
-NOT_BUILT: Mapping[str, Mapping[str, str]] = {
-    "contacts": {"table": "spheres on a table"},
-}
-
 # Tables of a sweep beside its grids, and what a message calls them.
 _OF_SWEEP: Mapping[str, tuple[type[Table], str]] = {
     "design": (Design, "a design"),
@@ -113,9 +109,6 @@ _VALUE_TABLE = (
 def kind_of(element: Mapping[str, Any], group: str, path: str) -> str:
     """The one kind key of an element.  Raises SceneError if there is none or more than one."""
     kinds = KINDS[group]
-    for kind, what in NOT_BUILT.get(group, {}).items():
-        if kind in element:
-            raise words.not_built(what, f"{path}.{kind}")
     given = [kind for kind in kinds if kind in element]
     if len(given) == 1:
         return given[0]
