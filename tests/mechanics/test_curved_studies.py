@@ -1,4 +1,4 @@
-"""The studies of curves: a cam whose follower runs in its groove, and a race of beads on wires, by closed forms."""
+"""The studies of curves and of gears: a cam and its follower, a race of beads, a train with losses."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_no_bead_beats_the_one_on_the_cycloid(route: str) -> None:
 
 
 def test_a_gear_train_loses_what_its_teeth_rub() -> None:
-    """The work put in goes into the motion, the height of the load, and the losses; without losses it is quicker."""
+    """The work put in goes into the motion, the height of the load, and the losses."""
     scene = planemotion.load(STUDIES / "gear_train.toml")
     asks, ideal = scene.run().asks, scene.run(eta=1).asks
     motor, load = number(asks["motor_speed"].value) * math.pi / 30, number(asks["speed"].value)

@@ -213,7 +213,7 @@ FAULTS = [
     ),
     (
         'contacts.c = { touch = ["P", "ground.O"], capture = "pin" }\nask.a = "c.normal"',
-        'unknown quantity of a contact that captures "normal"; there is gap, closed, force, impulse',
+        'unknown quantity of a contact that captures "normal"; there is gap, closed, force, couple, impulse',
     ),
     (
         'contacts.c = { touch = ["P", "ground.O"], capture = "pin" }\nevents.e = "c slips"',

@@ -57,7 +57,7 @@ WORDS: Mapping[str, Mapping[str, set[str]]] = {
         "driven": set(words.DRIVE_QUANTITIES),
         "joint": set(words.JOINT_QUANTITIES),
         "coupling": COUPLING_QUANTITIES,
-        "contact": set(words.CONTACT_QUANTITIES),
+        "contact": {*words.CONTACT_QUANTITIES, *words.CAPTURE_QUANTITIES},
         "force": set(words.FORCE_QUANTITIES),
         "event": set(words.EVENT_QUANTITIES),
         "energy": set(words.ENERGIES),
@@ -91,6 +91,7 @@ couplings.cord = { cord = ["body.center", "other.center"] }
 couplings.gears = { gears = ["body.rim", "other.rim"] }
 couplings.motor = { motor = ["body", "ground"], value = "1 rad/s" }
 contacts.contact = { touch = ["other.rim", "ground.floor"] }
+contacts.caught = { touch = ["turned.rim", "ground.floor"], capture = "body" }
 forces.force = { spring = ["body.center", "ground.O"], stiffness = "1 N/m" }
 events.event = "t = 0.05 s"
 """
@@ -134,6 +135,7 @@ PREFIX = {
 ELSEWHERE = {
     "joint.friction_needed": "rolls.friction_needed",
     "joint.power": "turned_by.power",
+    "contact.couple": "caught.couple",
     "coupling.power": "motor.power",
     "coupling.tension": "cord.tension",
     "coupling.slack": "cord.slack",
