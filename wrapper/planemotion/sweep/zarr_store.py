@@ -84,6 +84,7 @@ class ZarrStore:
         self._looked = 0.0
         self._made_folder = False
         blocks = self._chunking.count
+        self._sizes = np.diff([self._chunking.start(chunk) for chunk in range(blocks + 1)])
         first, end = shard.range(blocks) if shard else (0, blocks)
         self._first, self._end = self._chunking.start(first), self._chunking.start(end)
 
@@ -146,11 +147,6 @@ class ZarrStore:
         self._seconds = np.asarray(self._group[SECONDS][...])
         self._looked = time.monotonic()
 
-    def _stored(self, first: int, end: int) -> int:
-        """Cases stored of the chunks first .. end-1."""
-        there = np.flatnonzero(~np.isnan(self._seconds[first:end])) + first
-        return sum(self._chunking.start(chunk + 1) - self._chunking.start(chunk) for chunk in there.tolist())
-
     @property
     def finished(self) -> bool:
         """Whether no block is missing."""
@@ -161,7 +157,7 @@ class ZarrStore:
         """Cases stored; beside other shards those of all, as of some seconds ago."""
         if self._shard and time.monotonic() - self._looked > _LOOK_EVERY:
             self._look()
-        return self._stored(0, self._chunking.count)
+        return int(self._sizes[~np.isnan(self._seconds)].sum())
 
     def count(self) -> int:
         """Cases stored now, by whatever process."""
