@@ -227,7 +227,10 @@ def test_the_command(study: Path, tmp_path: Path, capsys: pytest.CaptureFixture[
             ]
         )
     assert not ended.value.code
-    told = capsys.readouterr().out
+    shown = capsys.readouterr()
+    told = shown.out
+    assert "126 cases, at most about" in shown.err
+    assert "of Zarr, and its table as parquet" in shown.err
     assert all(f"{tmp_path}/swing.{end}" in told for end in ("zarr", "parquet", "png"))
     with pytest.raises(SystemExit) as ended:
         main(["check", str(tmp_path / "swing.zarr")])

@@ -14,6 +14,7 @@ from .cases import Study
 from .netcdf import write_result
 from .parquet import is_parquet_of, write_parquet
 from .shard import Shard
+from .size import Size, readable
 from .store import SweepStore
 from .table import is_table_of, write_csv
 from .zarr_file import SUFFIX
@@ -41,6 +42,14 @@ class Form:
                 raise StudyError(f'{name} = "{value}": one of {", ".join(known)} is wanted')
         if self.chunk is not None and self.chunk < 1:
             raise StudyError(f"chunk = {self.chunk}: at least 1 case is wanted")
+
+    def told(self, size: Size) -> str:
+        """How much it will be, for people; what Zarr and Parquet hold is packed, and so may be less."""
+        if self == Form(chunk=self.chunk):
+            return size.text
+        result = "HDF5" if self.result == "hdf5" else "Zarr"
+        table = "" if self.table == "none" else f", and its table as {self.table}"
+        return f"{size.cases} cases, at most about {readable(size.result)} of {result}{table}"
 
     @classmethod
     def in_folder(cls, folder: Path, name: str, table: str) -> Form:

@@ -134,7 +134,7 @@ def sweep_files(
         if missing == plan.cases:
             check_disk(size, folder)
         if missing:
-            tell(size.text)
+            tell(form.told(size))
         try:
             _fill(store, study, executor, progress or _nobody)
             table = finish(store, study, form, missing, tell)
