@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 
 from planemotion.base.errors import StudyError
-from planemotion.sweep import cases, run
+from planemotion.sweep import cases, forms, run
 from tests.sweep.fake import BIG, FakeEngine, FakeScene, data_of
 from tests.sweep.processes import child, files_in, parts, wait_for_parts
 
@@ -61,7 +61,7 @@ def test_killed_before_the_table_was_written(
     engine: FakeEngine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with monkeypatch.context() as patch:
-        patch.setattr(run, "write_csv", lambda *_: 1 / 0)
+        patch.setattr(forms, "write_csv", lambda *_: 1 / 0)
         with pytest.raises(ZeroDivisionError):
             run.sweep_files(FakeScene(BIG), tmp_path)
     assert run.sweep_files(FakeScene(BIG), tmp_path, resume=True).computed == 0
