@@ -64,6 +64,15 @@ def test_what_fails_again_says_so() -> None:
     assert dataset.attrs["cases_mended"] == 0
 
 
+def test_a_failure_is_tried_again_and_an_early_stop_is_not() -> None:
+    """One ball overlaps with the floor, and one lies on it for ever."""
+    text = BALL.replace('"t = 0.1 s"', '"ball.y > (2 m)"') + "retry = { accuracy = 1e-12 }\n"
+    dataset = load_text(text + 'h = ["5 cm", "10 cm"]').sweep()
+    assert dataset["status"].values[0] < 0 < dataset["status"].values[1]
+    told = ["computed again with solve.accuracy = 1e-12: " in text for text in dataset["message"].values]
+    assert told == [True, False]
+
+
 @pytest.mark.parametrize(
     ("retry", "told"),
     [
