@@ -246,26 +246,40 @@ static int below_of(double place)
 /* Place along the pattern, in steps from its first member. */
 static double place_beside(const pm_beside *x) { return pm_dot(x->d, x->step) / pm_dot(x->step, x->step); }
 
-static int members_of_pattern(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
-                              int most, int *member)
+/* The last of the members that are not above a place, of those that there are; one less than the first where there is none. */
+static int below_of_place(const pm_frame *frame, int contact, const pm_beside *x, int *first, int *last)
 {
     const int32_t *pattern =
         PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
     const double count = frame->numbers->value[pattern[PM_PATTERN_COUNT]];
     const double place = place_beside(x);
-    const int most_members = (int)PM_MOST_MEMBERS, last = count < 0 ? most_members : (int)count - 1,
-              first = count < 0 ? -most_members : 0;
-    const int below = !(place >= first) ? first - 1 : place > last ? last : below_of(place);
-    const pm_closed closed = closed_of(frame, s, contact);
+    const int most_members = (int)PM_MOST_MEMBERS;
+    *last = count < 0 ? most_members : (int)count - 1;
+    *first = count < 0 ? -most_members : 0;
+    return !(place >= *first) ? *first - 1 : place > *last ? *last : below_of(place);
+}
+
+/* Open members from `below` down and from there up, in turn. */
+static int members_about(const pm_closed *closed, int below, int first, int last, int most, int *member)
+{
     int down = below, up = below + 1, n = 0;
     while (n + 1 < most) {
-        down = next_open(&closed, down, -1, first, last);
-        up = next_open(&closed, up, 1, first, last);
+        down = next_open(closed, down, -1, first, last);
+        up = next_open(closed, up, 1, first, last);
         if (down < first && up > last) break;
         if (down >= first) member[n++] = down--;
         if (up <= last) member[n++] = up++;
     }
     return n;
+}
+
+static int members_of_pattern(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
+                              int most, int *member)
+{
+    int first, last;
+    const int below = below_of_place(frame, contact, x, &first, &last);
+    const pm_closed closed = closed_of(frame, s, contact);
+    return members_about(&closed, below, first, last, most, member);
 }
 
 /* It is there, with a pattern that has no end. */
@@ -301,20 +315,32 @@ int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int m
     return !is_closed(frame, s, contact, 0);
 }
 
+double pm_contact_nearest_of(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
+                             pm_near *near, int *member)
+{
+    int first, last;
+    const int below = below_of_place(frame, contact, x, &first, &last);
+    if (near->n < 0 || near->below != below) {
+        const pm_closed closed = closed_of(frame, s, contact);
+        near->n = members_about(&closed, below, first, last, 2, near->member);
+        near->below = below;
+    }
+    double least = INFINITY;
+    *member = 0;
+    for (int i = 0; i < near->n; i++) {
+        const double gap = pm_contact_gap_beside(x, near->member[i]);
+        if (!(gap <= least)) continue;
+        least = gap;
+        *member = near->member[i];
+    }
+    return least;
+}
+
 double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
                                  int *member)
 {
-    int near[2];
-    const int n = members_of_pattern(frame, s, contact, x, 2, near);
-    double least = INFINITY;
-    *member = 0;
-    for (int i = 0; i < n; i++) {
-        const double gap = pm_contact_gap_beside(x, near[i]);
-        if (!(gap <= least)) continue;
-        least = gap;
-        *member = near[i];
-    }
-    return least;
+    pm_near near = {.n = -1};
+    return pm_contact_nearest_of(frame, s, contact, x, &near, member);
 }
 
 static double pattern_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)

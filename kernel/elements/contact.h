@@ -27,6 +27,14 @@ pm_beside pm_contact_beside(const pm_frame *frame, int contact);
 double pm_contact_gap_beside(const pm_beside *x, int member);
 double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
                                  int *member);
+/* The open members next to a place beside a pattern; n -1: not known yet.  They are the same at all places between the same two
+ * members, as long as none closes or opens. */
+typedef struct pm_near {
+    int n, below, member[2];
+} pm_near;
+/* As pm_contact_nearest_beside; `near` is of a place before, or not known, and is kept. */
+double pm_contact_nearest_of(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
+                             pm_near *near, int *member);
 /* Gap to a member of a pattern, closed or not. */
 double pm_contact_gap_to(const pm_frame *frame, int contact, int member);
 /* Gap, and its rate, of one member at the frame. */

@@ -49,6 +49,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->function, most),
         PM_ARRAY(e->value, PM_NODES_MOST * most),
         PM_ARRAY(e->beside, PM_NODES_MOST * patterns_watched(m)),
+        PM_ARRAY(e->near, patterns_watched(m)),
         PM_ARRAY(e->beside_edge, PM_NODES_MOST * m->nedge),
         PM_ARRAY(e->hit, most),
         PM_ARRAY(e->root, most),
@@ -282,7 +283,10 @@ void pm_event_set_multiples(pm_workspace *w)
         const double p = pm_trigger_program(w, f->index), nearest = round(p);
         const int holds = fabs(p - nearest) <= PM_ON_MULTIPLE * fmax(1, fabs(p));
         const double low = holds ? nearest - 1 : floor(p), high = holds ? nearest + 1 : low + 1;
-        if (low != f->low || high != f->high) f->search = SEARCH_NONE;
+        if (low != f->low || high != f->high) {
+            f->search = SEARCH_NONE;
+            f->ranged = 0;
+        }
         f->low = low;
         f->high = high;
     }

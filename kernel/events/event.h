@@ -61,8 +61,10 @@ typedef struct pm_event_function {
     pm_span bracket; /* of its next zero */
     double found;    /* where that is */
     double slope;    /* of its samples there; NaN: not known */
-    double tail;     /* of its samples (chebyshev.h); negative: not known yet */
-    double biggest;  /* of their sizes, where the tail is known */
+    int ranged;      /* `least` and `most` of its values at the nodes are known */
+    double least, most;
+    double tail;    /* of its samples (chebyshev.h); negative: not known yet */
+    double biggest; /* of their sizes, where the tail is known */
 } pm_event_function;
 
 /* The last blows of a contact (events/bounce_series.h). */
@@ -91,6 +93,7 @@ typedef struct pm_event_set {
     double *value;               /* [most functions][PM_NODES_MOST] samples */
     double place[PM_NODES_MOST]; /* x of the nodes */
     pm_beside *beside;           /* [patterns that are watched][PM_NODES_MOST] at the nodes */
+    pm_near *near;               /* [patterns that are watched] at the node that was sampled last */
     pm_edge_place *beside_edge;  /* [edges that are watched][PM_NODES_MOST] likewise */
     int *hit;                    /* [most functions] fired at this instant */
     int *root;                   /* [most functions] roots that the route itself found, or 0 */

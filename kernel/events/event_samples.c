@@ -35,7 +35,9 @@ static void begin_samples(pm_workspace *w)
     for (int i = 0; i < e->nfunction; i++) {
         e->function[i].search = SEARCH_NONE;
         e->function[i].tail = -1;
+        e->function[i].ranged = 0;
     }
+    for (int i = 0; i < e->npattern; i++) e->near[i].n = -1;
     pm_gap_culling_step(&w->event->culling, w->model);
 }
 
@@ -45,7 +47,8 @@ static double sample_pattern(pm_workspace *w, const pm_event_function *f, int no
     pm_beside *x = w->event->beside + f->pattern * PM_NODES_MOST + node;
     int member;
     *x = pm_contact_beside(&w->frame, f->index);
-    const double gap = pm_contact_nearest_beside(&w->frame, &w->state, f->index, x, &member);
+    const double gap =
+        pm_contact_nearest_of(&w->frame, &w->state, f->index, x, &w->event->near[f->pattern], &member);
     return isinf(gap) ? w->numbers.size : gap;
 }
 
@@ -233,21 +236,28 @@ double pm_event_samples_along(void *of, double x, void *function)
     return pm_event_value(w, f);
 }
 
+static void find_range(pm_event_function *f, const double *g, int n)
+{
+    f->ranged = 1;
+    f->least = INFINITY;
+    f->most = -INFINITY;
+    for (int k = 0; k < n; k++) {
+        f->least = pm_min(g[k], f->least);
+        f->most = pm_max(g[k], f->most);
+    }
+}
+
 void pm_event_samples_take(const pm_step *step, pm_event_set *event, int i, pm_event_course *x)
 {
-    const pm_event_function *f = &event->function[i];
+    pm_event_function *f = &event->function[i];
     const double *value = pm_event_samples(event, i);
     const int n = x->n = step->nodes->n;
-    double low = INFINITY, high = -INFINITY;
     for (int k = 0; f->every && k < n; k++) x->own[k] = pm_event_of_sample(f, value[k]);
     x->g = f->every ? x->own : value;
-    for (int k = 0; k < n; k++) {
-        low = pm_min(x->g[k], low);
-        high = pm_max(x->g[k], high);
-    }
-    x->low = low;
-    x->high = high;
-    x->biggest = pm_max(high, -low);
+    if (!f->ranged) find_range(f, x->g, n);
+    x->low = f->least;
+    x->high = f->most;
+    x->biggest = pm_max(f->most, -f->least);
 }
 
 void pm_event_course_set(pm_event_course *x, int node, double value)
@@ -312,4 +322,5 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x)
         pm_event_samples(w->event, i)[k] =
             pm_contact_gap_beside(e->beside + f->pattern * PM_NODES_MOST + k, member);
     f->tail = -1;
+    f->ranged = 0;
 }

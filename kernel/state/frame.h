@@ -2,6 +2,7 @@
 #ifndef PM_FRAME_H
 #define PM_FRAME_H
 
+#include "numerics/lanes.h"
 #include "state/numbers.h"
 #include "state/state.h"
 
@@ -48,6 +49,16 @@ void pm_frame_look_state(pm_frame *frame, const pm_state *s);
 /* The same with q and v in the place of those of s, where the poses are there already: the tree has just placed the bodies
  * at q. */
 void pm_frame_look_placed(pm_frame *frame, const pm_state *s, const double *q, const double *v);
+
+/* Poses [nbody][5] that are known. */
+static inline void pm_frame_take_poses(pm_frame *frame, const double *pose)
+{
+    double *to = frame->pose;
+    for (const double *end = pose + 5 * frame->model->nbody; pose < end; pose += 5, to += 5) {
+        pm_lanes_store_three(to, pm_lanes_load(pose), pose[2]);
+        pm_lanes_store(to + 3, pm_lanes_load(pose + 3));
+    }
+}
 
 /* A mark at body axes (x, y) of `body` (nbody: the ground).  Here, so that nothing is worked out that nobody reads. */
 static inline pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y)

@@ -90,7 +90,7 @@ static void place_rigid(pm_workspace *w, pm_place *place)
 {
     pm_path_rigid_place(w, place->y[0], place);
     if (w->path->rigid.weights_alone) return;
-    memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
+    pm_frame_take_poses(&w->frame, place->pose);
     pm_path_measure_forces(w, place);
 }
 

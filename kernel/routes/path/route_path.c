@@ -196,7 +196,7 @@ static int look(pm_workspace *w, double x, int level)
     if (status) return status;
     state_of(w->model, w->path, place, s,
              w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0, &w->probe);
-    memcpy(w->frame.pose, place->pose, 5 * (size_t)w->model->nbody * sizeof *place->pose);
+    pm_frame_take_poses(&w->frame, place->pose);
     pm_frame_look_placed(&w->frame, &w->state, w->probe.q, w->probe.v);
     w->frame.t = w->probe.t;
     w->frame.z = w->probe.z;
