@@ -1,0 +1,184 @@
+/* Modes that are tried: what stays where they do not stand, what is booked where they do, dead centres, modes in turn. */
+#include "impact/contact_modes.h"
+
+#include "check.h"
+#include "elements/contact.h"
+#include "equations/ledger.h"
+#include "impact/instant.h"
+#include "numerics/tolerances.h"
+#include "scene.h"
+
+#define G 9.81
+#define QUARTER 1.5707963267948966
+
+/* ---- a bar between two walls, next to where it would lock ----
+ *
+ * End A is pushed to the left wall and sticks if it can; at the right one a belt runs upwards beside B, whose load N follows
+ * from moments about A: N (sin + mu_B cos) l = W l cos/2.  A slip v of A is stopped by m v along the wall and by normal
+ * impulses of m v/(2 tan) at either. */
+typedef struct bar {
+    double mass, length, angle, push, mu_a, mu_b;
+} bar;
+
+static scene *between_walls(const bar *x)
+{
+    scene *s = scene_create();
+    const double reach = 0.5 * x->length, width = x->length * cos(x->angle);
+    const int body =
+        scene_body(s, x->mass, x->mass * x->length * x->length / 12, reach * cos(x->angle), 0, x->angle);
+    const int end = scene_point(s, body, -reach, 0);
+    const int a = scene_circle(s, end, 0), b = scene_circle(s, scene_point(s, body, reach, 0), 0);
+    const int left = scene_floor(s, -QUARTER),
+              right = scene_line(s, scene_point(s, PM_GROUND, width, 0), QUARTER);
+    scene_contact(s, PM_CONTACT_LINE, a, left, 0, 0, PM_FRICTION_COULOMB, x->mu_a);
+    const int belt = scene_contact(s, PM_CONTACT_LINE, b, right, 0, 0, PM_FRICTION_COULOMB, x->mu_b);
+    scene_cell(s, PM_TABLE_CONTACT, belt, PM_CONTACT_SPEED, scene_value(s, 3));
+    scene_applied(s, end, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, -x->push)), SCENE_PROGRAM(s, scene_k(s, 0)));
+    scene_until_time(s, 1e-3);
+    return s;
+}
+
+/* Lets end A slip by less than counts as slip, downwards, and looks for the modes; the slip that it had. */
+static double slip_a_little(scene *s)
+{
+    pm_workspace *w = s->w;
+    pm_frame_look_state(&w->frame, &w->state);
+    const double slip = 0.6 * pm_contact_speed(&w->frame);
+    w->state.slot[0].mode = PM_STICK;
+    w->state.v[0] = w->state.v[2] = 0;
+    w->state.v[1] = -slip;
+    EQUAL(pm_contact_modes_begin(w), PM_OK);
+    EQUAL(pm_contact_modes_settle(w), PM_OK);
+    return slip;
+}
+
+/* Its impulses close the ledger of momentum, and no friction rides on them. */
+static void a_stopped_slip_is_booked(double angle)
+{
+    const bar x = {2.3, 0.7, angle, 60, 0.6, 0.2};
+    scene *s = between_walls(&x);
+    EQUAL(scene_begin(s), PM_OK);
+    pm_workspace *w = s->w;
+    const double *z = w->state.z + pm_ledger_ledger(w->model), y = z[1], moment = z[2], pushed = z[0],
+                 lost = w->ledger.energy_lost, told = w->impulses.energy_lost;
+    const double slip = slip_a_little(s), momentum = x.mass * slip, arm = 0.5 * x.length * cos(angle);
+    EQUAL(w->state.slot[0].mode, PM_STICK);
+    CHECK(pm_contact_modes_slides(w->state.slot[1].mode));
+    CHECK(fabs(w->state.v[1]) < 1e-6 * slip);
+    NEAR(z[1] - y, momentum, 1e-6 * momentum);
+    NEAR(z[0] - pushed, 0, 1e-6 * momentum / tan(angle));
+    /* about the origin, of what comes to rest */
+    NEAR(z[2] - moment, momentum * arm, 1e-6 * momentum * arm);
+    NEAR(w->ledger.energy_lost - lost, 0.5 * momentum * slip, 1e-6 * momentum * slip);
+    EQUAL(w->impulses.energy_lost, told);
+    const double load = 0.5 * x.mass * G / (tan(angle) + x.mu_b);
+    NEAR(w->frame.lambda[w->active.slot_normal[0]], x.push + load, 1e-6 * load);
+    scene_free(s);
+}
+
+/* Without the push it falls.  Stick is tried and does not stand: nothing of it is left. */
+static void a_slip_that_is_not_held_stays(double angle)
+{
+    const bar x = {2.3, 0.7, angle, 0, 0.1, 0.2};
+    scene *s = between_walls(&x);
+    EQUAL(scene_begin(s), PM_OK);
+    pm_workspace *w = s->w;
+    const double place = w->state.q[1], slip = slip_a_little(s);
+    CHECK(pm_contact_modes_slides(w->state.slot[0].mode));
+    NEAR(w->state.v[1], -slip, 1e-6 * slip);
+    NEAR(w->state.q[1], place, 1e-13);
+    scene_free(s);
+}
+
+/* ---- a slider-crank whose block rubs ---- */
+typedef struct crank {
+    double time, omega, end;
+} crank;
+
+/* Crank 0.1 m, rod 0.3 m, 0.1 kg each, and 5 kg on the guide: a joint that rubs by its load, or a contact. */
+static crank slider_crank(int as_contact, int route)
+{
+    const double r = 0.1, l = 0.3, mu = 0.1, mass = 0.1, top = 1.0471975511965976,
+                 tilt = -asin(r * sin(top) / l);
+    const double x = r * cos(top), y = r * sin(top), reach = l * cos(tilt);
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int a = scene_body(s, mass, mass * r * r / 12, 0.5 * x, 0.5 * y, top),
+              b = scene_body(s, mass, mass * l * l / 12, x + 0.5 * reach, 0.5 * y, tilt),
+              c = scene_body(s, 5, 0, x + reach, 0, 0);
+    const int block = scene_point(s, c, 0, 0), guide = scene_floor(s, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, PM_GROUND, 0, 0), scene_point(s, a, -0.5 * r, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, 0.5 * r, 0), scene_point(s, b, -0.5 * l, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, 0.5 * l, 0), block, 0);
+    if (as_contact) {
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, block, 0), guide, 0, 0, PM_FRICTION_COULOMB, mu);
+        scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, block, PM_PART_Y), 0);
+    } else {
+        const int slide = scene_joint(s, PM_JOINT_SLIDER, block, guide, 0);
+        scene_force(s, PM_FORCE_FRICTION, slide, slide, 0, mu);
+    }
+    scene_start_omega(s, a, 5);
+    const int angle = scene_measure(s, PM_MEASURE_ANGLE, a), omega = scene_measure(s, PM_MEASURE_OMEGA, a);
+    const int dead = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, angle, 2 * QUARTER + 1.7e-6));
+    const int at = scene_ask_event(s, scene_read(s, scene_time(s)), dead, 1, 0),
+              speed = scene_ask_event(s, scene_read(s, omega), dead, 1, 0), end = scene_ask_measure(s, angle);
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const crank found = {s->out[at], s->out[speed], s->out[end]};
+    scene_free(s);
+    return found;
+}
+
+/* Beside the equation of its one coordinate, integrated elsewhere; a joint and a contact alike. */
+static void passes_its_dead_centre(int route)
+{
+    const double close = route == PM_ROUTE_IDA ? 1e-5 : 1e-8;
+    const crank joint = slider_crank(0, route), contact = slider_crank(1, route);
+    NEAR(joint.time, 0.481153, 1e-6);
+    NEAR(joint.omega, 14.41, 5e-3);
+    NEAR(joint.end, 234.17 * QUARTER / 90, 1e-4);
+    NEAR(contact.time, joint.time, close);
+    NEAR(contact.omega, joint.omega, 14 * close);
+    NEAR(contact.end, joint.end, 1e3 * close);
+}
+
+/* ---- modes in turn ---- */
+/* Instants between which no time passes, `late` of them a moment later; the status of the last. */
+static int instants(int n, int late)
+{
+    scene *s = scene_create();
+    const int p = scene_point(s, scene_body(s, 2, 0, 0, 0, 0), 0, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB,
+                  0.3);
+    scene_start_velocity(s, p, 1, 0);
+    scene_until_time(s, 10);
+    EQUAL(scene_begin(s), PM_OK);
+    int ended, status = PM_OK;
+    s->w->state.t = 1;
+    for (int i = 0; i < n && !status; i++) {
+        if (i == n - late) s->w->state.t += 1e-9;
+        status = pm_instant_full(s->w, &ended);
+    }
+    scene_free(s);
+    return status;
+}
+
+static void instants_without_time_come_to_an_end(void)
+{
+    EQUAL(instants(PM_INSTANTS_AT_ONCE - 1, 0), PM_OK);
+    EQUAL(instants(PM_INSTANTS_AT_ONCE, 0), PM_ALTERNATES);
+    EQUAL(instants(PM_INSTANTS_AT_ONCE + 9, 10), PM_OK);
+}
+
+int main(void)
+{
+    passes_its_dead_centre(PM_ROUTE_RK);
+    passes_its_dead_centre(PM_ROUTE_IDA);
+    instants_without_time_come_to_an_end();
+
+    a_stopped_slip_is_booked(1e-2);
+    a_stopped_slip_is_booked(1e-5);
+    a_slip_that_is_not_held_stays(1e-2);
+    a_slip_that_is_not_held_stays(1e-5);
+    return check_failures();
+}
