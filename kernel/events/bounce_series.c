@@ -53,7 +53,7 @@ static int find_near(const pm_workspace *w, int contact)
         int shares = i == contact;
         for (int k = 0; k < n && !shares && w->event->series[i].known > 0; k++)
             shares = of[k] != PM_GROUND && touches(w->model, i, of[k]);
-        if (shares) w->event->near[near++] = i;
+        if (shares) w->event->beside_struck[near++] = i;
     }
     return near;
 }
@@ -79,7 +79,7 @@ static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
     int latest = PM_NONE;
     double time = -INFINITY;
     for (int i = 0; i < near; i++) {
-        const int contact = e->near[i], k = taken(x, contact);
+        const int contact = e->beside_struck[i], k = taken(x, contact);
         if (k >= e->series[contact].known || e->series[contact].struck[k] < time) continue;
         latest = contact;
         time = e->series[contact].struck[k];
@@ -126,8 +126,8 @@ static int several(const pm_blow_order *x, int k)
 static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k, double ratio)
 {
     for (int i = 0; i < near; i++) {
-        pm_bounce_series *s = &e->series[e->near[i]];
-        s->ratio = is_in_cycle(x, k, e->near[i]) ? ratio : 0;
+        pm_bounce_series *s = &e->series[e->beside_struck[i]];
+        s->ratio = is_in_cycle(x, k, e->beside_struck[i]) ? ratio : 0;
         s->several = several(x, k);
         s->known_at = x->time[0];
         s->left = (x->time[0] - x->time[k]) * ratio / (1 - ratio);
@@ -168,7 +168,7 @@ static void count_own(const pm_workspace *w, int near, int contact)
 {
     const double e = pm_contact_restitution(&w->frame, contact);
     for (int i = 0; i < near; i++)
-        if (w->event->near[i] != contact) w->event->series[w->event->near[i]].own = 0;
+        if (w->event->beside_struck[i] != contact) w->event->series[w->event->beside_struck[i]].own = 0;
     pm_bounce_series *x = &w->event->series[contact];
     x->own = e > 0 && e < 1 ? x->own + (x->own < 4) : 0;
 }
@@ -181,7 +181,7 @@ static void look_for_cycles(const pm_workspace *w, int near, int contact)
     int k = 0;
     while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_cycles(&x, k);
     if (ratio > 0) tell(w->event, near, &x, k, ratio);
-    for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->near[i]].ratio = 0;
+    for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->beside_struck[i]].ratio = 0;
     w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);
 }
 

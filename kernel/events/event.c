@@ -60,7 +60,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->came, ntrigger),
         PM_ARRAY(e->spent, ncontact),
         PM_ARRAY(e->series, ncontact),
-        PM_ARRAY(e->near, ncontact),
+        PM_ARRAY(e->beside_struck, ncontact),
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
         PM_ARRAY(e->culling.moved, m->nbody + 1),
@@ -283,10 +283,9 @@ void pm_event_set_multiples(pm_workspace *w)
         const double p = pm_trigger_program(w, f->index), nearest = round(p);
         const int holds = fabs(p - nearest) <= PM_ON_MULTIPLE * fmax(1, fabs(p));
         const double low = holds ? nearest - 1 : floor(p), high = holds ? nearest + 1 : low + 1;
-        if (low != f->low || high != f->high) {
-            f->search = SEARCH_NONE;
-            f->ranged = 0;
-        }
+        if (low == f->low && high == f->high) continue;
+        f->search = SEARCH_NONE;
+        f->ranged = 0;
         f->low = low;
         f->high = high;
     }
