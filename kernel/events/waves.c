@@ -310,7 +310,7 @@ static pm_waves_course course_of_ask(pm_workspace *w, int observer)
 {
     const int ask = w->ask->observer[observer];
     return (pm_waves_course){w, pm_ask_samples(w, ask), pm_ask_watched(w->model, w->ask, observer),
-                       w->ask->switches[ask] > 0};
+                             w->ask->switches[ask] > 0};
 }
 
 /* Whether `is` holds for all triggers and asks that were sampled. */
