@@ -166,11 +166,11 @@ def test_the_size_of_a_sweep_is_told_and_bounded_before_it_begins(tmp_path: Any)
     scene = load_text(f'id = "x"\nuntil = "t = 1 s"\n{POINT}{HUGE}ask.y = "P.y"')
     with pytest.raises(SceneError) as caught:
         scene.sweep()
-    assert "sweep: 1000000000000000 cases, about 50 PB of HDF5 and " in str(caught.value)
+    assert "sweep: 1000000000000000 cases, about 54 PB of HDF5 and " in str(caught.value)
     assert "give solve.max_cases = 1000000000000000 if they are meant" in str(caught.value)
     meant = scene.with_values({"solve.max_cases": 10**15})
     with pytest.raises(
-        StudyError, match="1000000000000000 cases need 100 PB of memory, and this machine has"
+        StudyError, match="1000000000000000 cases need 108 PB of memory, and this machine has"
     ):
         meant.sweep()
     with pytest.raises(StudyError, match=r"PB are needed on the way, and .* are free there"):
