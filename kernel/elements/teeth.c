@@ -18,7 +18,7 @@ double pm_teeth_pressed(const pm_workspace *w, int joint)
 void pm_teeth_turn(pm_workspace *w, int joint)
 {
     pm_memory *memory = &w->state.memory[w->model->joint_memory[joint]];
-    memory->direction = memory->direction < 0 ? 1 : -1;
+    memory->direction = -pm_teeth_loaded(memory);
 }
 
 int pm_teeth_turn_pulling(pm_workspace *w, double slack)
@@ -36,12 +36,13 @@ int pm_teeth_turn_struck(pm_workspace *w)
 {
     double greatest = 0;
     int turned = 0;
+    if (w->model->nteeth == 0) return 0;
     for (int i = 0; i < w->model->njoint_constraint; i++)
         greatest = fmax(greatest, fabs(w->impulses.joint[i]));
-    for (int i = 0; w->model->nteeth > 0 && i < w->model->rows[PM_TABLE_JOINT]; i++) {
+    for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         const double impulse = w->impulses.joint[w->model->joint_constraint[i]];
         if (!pm_teeth_mesh(w->model, &w->state, i)) continue;
-        w->impulses.flank[i] = w->state.memory[w->model->joint_memory[i]].direction < 0 ? -1 : 1;
+        w->impulses.flank[i] = pm_teeth_loaded(&w->state.memory[w->model->joint_memory[i]]);
         if (!(impulse < -PM_PULLS * greatest)) continue;
         pm_teeth_turn(w, i);
         turned = 1;

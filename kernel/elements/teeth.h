@@ -5,10 +5,13 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-/* Which flank a constraint is of.  1: the one that pushes a along the tangent; -1: the other one. */
+/* The flank that is loaded.  1: the one that pushes a along the tangent; -1: the other one. */
+static inline int pm_teeth_loaded(const pm_memory *memory) { return memory->direction < 0 ? -1 : 1; }
+
+/* The same of a constraint: it may be of one flank alone. */
 static inline double pm_teeth_flank(const pm_frame *frame, const pm_constraint *c)
 {
-    return c->flank != 0 ? c->flank : frame->memory[c->memory].direction < 0 ? -1 : 1;
+    return c->flank != 0 ? c->flank : pm_teeth_loaded(&frame->memory[c->memory]);
 }
 
 /* Joint i is there, and has flanks. */

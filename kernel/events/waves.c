@@ -313,17 +313,24 @@ static pm_waves_course course_of_ask(pm_workspace *w, int observer)
                              w->ask->switches[ask] > 0};
 }
 
-/* Whether `is` holds for all triggers and asks that were sampled. */
+/* The next of all triggers and asks that were sampled and may have waves; *i of them all were looked at.  0: there is none. */
+static int next_course(pm_workspace *w, int functions, int watched, int *i, pm_waves_course *c)
+{
+    const int triggers = functions ? w->event->ntrigger : 0, asks = watched ? w->ask->nobserver : 0;
+    while (*i < triggers + asks) {
+        const int k = (*i)++, is_trigger = k < triggers;
+        if (is_trigger && !is_watched(w, k)) continue;
+        *c = is_trigger ? course_of_trigger(w, k) : course_of_ask(w, k - triggers);
+        if (is_trigger || w->watched->waves->possible[c->program]) return 1;
+    }
+    return 0;
+}
+
 static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_waves_course *))
 {
-    for (int i = 0; functions && i < w->event->ntrigger; i++) {
-        const pm_waves_course c = course_of_trigger(w, i);
-        if (is_watched(w, i) && !is(&c)) return 0;
-    }
-    for (int i = 0; watched && i < w->ask->nobserver; i++) {
-        const pm_waves_course c = course_of_ask(w, i);
-        if (w->watched->waves->possible[c.program] && !is(&c)) return 0;
-    }
+    pm_waves_course c;
+    for (int i = 0; next_course(w, functions, watched, &i, &c);)
+        if (!is(&c)) return 0;
     return 1;
 }
 
@@ -337,15 +344,9 @@ static double first_switch_of(const pm_waves_course *c)
 
 double pm_waves_first_switch(pm_workspace *w, int functions, int watched)
 {
+    pm_waves_course c;
     double first = INFINITY;
-    for (int i = 0; functions && i < w->event->ntrigger; i++) {
-        const pm_waves_course c = course_of_trigger(w, i);
-        if (is_watched(w, i)) first = pm_min(first_switch_of(&c), first);
-    }
-    for (int i = 0; watched && i < w->ask->nobserver; i++) {
-        const pm_waves_course c = course_of_ask(w, i);
-        if (w->watched->waves->possible[c.program]) first = pm_min(first_switch_of(&c), first);
-    }
+    for (int i = 0; next_course(w, functions, watched, &i, &c);) first = pm_min(first_switch_of(&c), first);
     return first;
 }
 

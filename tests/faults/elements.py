@@ -24,7 +24,7 @@ FAULTS = [
     Fault(
         "teeth: the flank that pulls stays",
         "elements/teeth.c",
-        "memory->direction = memory->direction < 0 ? 1 : -1;",
+        "memory->direction = -pm_teeth_loaded(memory);",
         "memory->direction = 1;",
     ),
     Fault(

@@ -18,7 +18,7 @@ from ..language.units import declared_unit, factor
 from ..model import words
 from ..model.listed import Cases, Listed
 from ..model.tables import MOST_DRAWN
-from .columns import Column, CsvFile
+from .columns import Column, CsvFile, beside
 from .plain import literal
 
 CASES = "cases"
@@ -99,7 +99,7 @@ def _of_file(table: Mapping[str, Any], file: str | None, parameters: Mapping[str
     named = [chosen] if isinstance(chosen, str) else chosen
     if named is not None and (not isinstance(named, list | tuple) or not named):
         raise SceneError("names of columns are wanted", path=f"sweep.{CASES}.columns", value=chosen)
-    place = Path(given) if file is None else Path(file).parent / given
+    place = beside(file, given)
     units = {name: declared_unit(written) for name, written in parameters.items()}
     try:
         now = place.stat()

@@ -37,6 +37,11 @@ class Column:
         return cls(place, written.strip(), head[1], unit if unit is None else unit.strip())
 
 
+def beside(scene: str | None, name: str) -> Path:
+    """Where a file is that a scene names: beside the file of the scene, if it has one."""
+    return Path(name) if scene is None else Path(scene).parent / name
+
+
 class CsvFile:
     """A CSV file: a header with units, then rows; empty lines and those that begin with # are passed.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from ..base.errors import Faults, SceneError, nearest
@@ -12,7 +11,7 @@ from ..language.dimensions import DIMENSIONLESS, Dimension
 from ..language.units import parse_quantity
 from ..model import words
 from ..model.tabulated import Points
-from .columns import Column, CsvFile
+from .columns import Column, CsvFile, beside
 
 # Bytes of a file, and rows of a table: far above what is measured by hand, and below what makes a run slow.
 MOST_BYTES = 50_000_000
@@ -44,8 +43,7 @@ def _points(table: Mapping[str, Any], path: str, file: str | None) -> Points:
         if not isinstance(table.get(key, ""), str):
             reason = "the values stand in the file: the name of one of its columns is wanted here"
             raise SceneError(reason, path=f"{path}.{key}")
-    place = Path(given) if file is None else Path(file).parent / given
-    return _points_of(CsvFile(place, given, f"{path}.file", MOST_BYTES), table, path)
+    return _points_of(CsvFile(beside(file, given), given, f"{path}.file", MOST_BYTES), table, path)
 
 
 # ---- in the scene ----

@@ -1,4 +1,4 @@
-"""Locks on the folder of a sweep: one sweep alone, or the shards of one sweep beside each other."""
+"""The folder of a sweep and its locks: one sweep alone, or the shards of one sweep beside each other."""
 
 from __future__ import annotations
 
@@ -10,7 +10,11 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..base.errors import StudyError
+from ..base.files import disk_errors
 from .shard import Shard
+
+# Between two looks at what other shards have stored, in s.
+LOOK_EVERY = 5.0
 
 
 class OutputLock:
@@ -103,6 +107,36 @@ class ShardLock:
     def release(self) -> None:
         for lock in self._locks:
             lock.release()
+
+
+class OutputFolder:
+    """A folder that is made where it is missing, and locked until it is left; `shard`: for this one alone."""
+
+    def __init__(self, path: Path, shard: Shard | None) -> None:
+        self.path = path
+        self._lock = ShardLock(path, shard) if shard else OutputLock(path)
+        self._made = False
+
+    def enter(self) -> None:
+        """Raises StudyError if the folder cannot be written, or another sweep runs there."""
+        if self.path.exists() and not self.path.is_dir():
+            raise StudyError(f"{self.path}: is a file; --out wants a folder")
+        with disk_errors(self.path):
+            self._made = not self.path.exists()
+            self.path.mkdir(parents=True, exist_ok=True)
+            self._lock.acquire()
+
+    def leave(self) -> None:
+        """A folder that was made goes again if nothing is in it."""
+        self._lock.release()
+        if self._made:
+            with suppress(OSError):  # holds results
+                self.path.rmdir()
+
+    def remove_shard_locks(self) -> None:
+        """To be called when nothing of the result is missing any more."""
+        for lock in self.path.glob("shard-*-of-*.lock"):
+            lock.unlink(missing_ok=True)
 
 
 def wait_until_free(folder: Path) -> None:

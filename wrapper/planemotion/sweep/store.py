@@ -20,7 +20,7 @@ import json
 import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Self
 
@@ -29,7 +29,7 @@ from ..base.checksums import require_sound
 from ..base.errors import StudyError
 from ..base.files import appearing, disk_errors, sync_folder
 from .block import Block
-from .locks import OutputLock, ShardLock, wait_until_free
+from .locks import LOOK_EVERY, OutputFolder, wait_until_free
 from .manifest import check_same, manifest_of_result
 from .parts import Part, part_at, parts_in, read_part, write_part
 from .shard import Shard
@@ -38,8 +38,6 @@ from .shard import Shard
 _SLAB_CASES = 65536
 _MOST_MANIFEST = 100_000_000  # bytes
 _SLAB_BYTES = 1 << 25
-# Between two looks at what the other shards have stored, in s.
-_LOOK_EVERY = 5.0
 
 
 class SweepStore:
@@ -71,8 +69,7 @@ class SweepStore:
         self.finished = False
         self._range = shard.range(cases) if shard else (0, cases)
         self._parts: list[Part] = []
-        self._lock = ShardLock(folder, shard) if shard else OutputLock(folder)
-        self._made_folder = False
+        self._place = OutputFolder(folder, shard)
         self._began = False
         self._others = (0.0, 0)  # when they were looked at, and the cases that other shards had stored
 
@@ -83,13 +80,8 @@ class SweepStore:
         already and may not be touched, they belong to something else, or a part is damaged; then nothing
         has been changed.
         """
-        if self.folder.exists() and not self.folder.is_dir():
-            raise StudyError(f"{self.folder}: is a file; --out wants a folder")
         try:
-            with disk_errors(self.folder):
-                self._made_folder = not self.folder.exists()
-                self.folder.mkdir(parents=True, exist_ok=True)
-                self._lock.acquire()
+            self._place.enter()
             self._open()
         except BaseException:
             self.__exit__()
@@ -99,10 +91,7 @@ class SweepStore:
     def __exit__(self, *exception: object) -> None:
         if self._began and not any(self.parts_folder.glob("part-*")):  # nothing worth keeping
             shutil.rmtree(self.parts_folder, ignore_errors=True)
-        self._lock.release()
-        if self._made_folder:
-            with suppress(OSError):  # holds results
-                self.folder.rmdir()
+        self._place.leave()
 
     def _open(self) -> None:
         if not self.resume and not self.shard:
@@ -198,7 +187,7 @@ class SweepStore:
 
     def _stored_by_others(self) -> int:
         now = time.monotonic()
-        if now - self._others[0] > _LOOK_EVERY or not self._others[0]:
+        if now - self._others[0] > LOOK_EVERY or not self._others[0]:
             others = (part for part in parts_in(self.parts_folder) if not part.meets(*self._range))
             self._others = now, sum(part.count for part in others)
         return self._others[1]
@@ -274,8 +263,7 @@ class SweepStore:
     def remove_parts(self) -> None:
         """To be called when nothing of the result is missing any more."""
         shutil.rmtree(self.parts_folder, ignore_errors=True)
-        for lock in self.folder.glob("shard-*-of-*.lock"):
-            lock.unlink(missing_ok=True)
+        self._place.remove_shard_locks()
         self._parts = []
 
 
@@ -284,7 +272,7 @@ def wait_for_cases(folder: Path, name: str, cases: int, progress: Callable[[int,
     done = 0
     while done < cases and not (folder / f"{name}.h5").exists():
         if done:
-            time.sleep(_LOOK_EVERY)
+            time.sleep(LOOK_EVERY)
         done = sum(part.count for part in parts_in(folder / f"{name}.parts"))
         progress(done, cases)
     wait_until_free(folder)

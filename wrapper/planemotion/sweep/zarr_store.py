@@ -31,7 +31,7 @@ from ..base.files import disk_errors
 from .block import Block
 from .chunking import Chunking
 from .layout import MESSAGE, ROUTE_WORDS, Layout
-from .locks import OutputLock, ShardLock
+from .locks import LOOK_EVERY, OutputFolder
 from .manifest import check_same
 from .shard import Shard
 from .zarr_file import SECONDS, SUFFIX, declare, write_block, zarr
@@ -39,8 +39,6 @@ from .zarr_file import SECONDS, SUFFIX, declare, write_block, zarr
 # Cases of a chunk: a part of all, within these bounds.  To write one takes some ms for each variable.
 _PARTS = 32
 _LEAST, _MOST = 64, 16384
-# Between two looks at what other shards have stored, in s.
-_LOOK_EVERY = 5.0
 
 
 def usual_chunk(cases: int) -> int:
@@ -78,11 +76,10 @@ class ZarrStore:
         self._attributes = attributes
         self._resume = resume
         self._shard = shard
-        self._lock = ShardLock(folder, shard) if shard else OutputLock(folder)
+        self._place = OutputFolder(folder, shard)
         self._group: Any = None
         self._seconds: npt.NDArray[np.float64] = np.empty(0)
         self._looked = 0.0
-        self._made_folder = False
         blocks = self._chunking.count
         self._sizes = np.diff([self._chunking.start(chunk) for chunk in range(blocks + 1)])
         first, end = shard.range(blocks) if shard else (0, blocks)
@@ -90,13 +87,9 @@ class ZarrStore:
 
     def __enter__(self) -> Self:
         """As SweepStore.  Raises StudyError likewise."""
-        if self.folder.exists() and not self.folder.is_dir():
-            raise StudyError(f"{self.folder}: is a file; --out wants a folder")
         try:
+            self._place.enter()
             with disk_errors(self.folder):
-                self._made_folder = not self.folder.exists()
-                self.folder.mkdir(parents=True, exist_ok=True)
-                self._lock.acquire()
                 self._open()
         except BaseException:
             self.__exit__()
@@ -104,10 +97,7 @@ class ZarrStore:
         return self
 
     def __exit__(self, *exception: object) -> None:
-        self._lock.release()
-        if self._made_folder:
-            with suppress(OSError):  # holds results
-                self.folder.rmdir()
+        self._place.leave()
 
     def _open(self) -> None:
         if self.result.exists() and not (self._resume or self._shard):
@@ -155,7 +145,7 @@ class ZarrStore:
     @property
     def done(self) -> int:
         """Cases stored; beside other shards those of all, as of some seconds ago."""
-        if self._shard and time.monotonic() - self._looked > _LOOK_EVERY:
+        if self._shard and time.monotonic() - self._looked > LOOK_EVERY:
             self._look()
         return int(self._sizes[~np.isnan(self._seconds)].sum())
 
@@ -226,5 +216,4 @@ class ZarrStore:
 
     def remove_parts(self) -> None:
         """What only an unfinished sweep needs."""
-        for lock in self.folder.glob("shard-*-of-*.lock"):
-            lock.unlink(missing_ok=True)
+        self._place.remove_shard_locks()
