@@ -44,17 +44,22 @@ static int touches(const pm_model *m, int contact, int body)
     return 0;
 }
 
+static int share_body(const pm_model *m, int contact, int other)
+{
+    int of[PM_REFERENCES];
+    const int n = pm_reference_bodies(m, PM_TABLE_CONTACT, contact, of);
+    for (int i = 0; i < n; i++)
+        if (of[i] != PM_GROUND && touches(m, other, of[i])) return 1;
+    return 0;
+}
+
 /* The contacts that were struck and share a body with this one, itself among them. */
 static int find_near(const pm_workspace *w, int contact)
 {
-    int of[PM_REFERENCES], near = 0;
-    const int n = pm_reference_bodies(w->model, PM_TABLE_CONTACT, contact, of);
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        int shares = i == contact;
-        for (int k = 0; k < n && !shares && w->event->series[i].known > 0; k++)
-            shares = of[k] != PM_GROUND && touches(w->model, i, of[k]);
-        if (shares) w->event->beside_struck[near++] = i;
-    }
+    int near = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (i == contact || (w->event->series[i].known > 0 && share_body(w->model, contact, i)))
+            w->event->beside_struck[near++] = i;
     return near;
 }
 

@@ -170,27 +170,44 @@ void pm_event_evidence_jump(pm_workspace *w)
 }
 
 /* ---- an instant ---- */
+/* How near the function came to zero without firing, since the last instant. */
+static void take_nearest(pm_workspace *w, int i)
+{
+    pm_event_function *f = &w->event->function[i];
+    const double near = f->near;
+    f->near = INFINITY;
+    if (!isfinite(near)) return;
+    pm_evidence_decision x = of_function(w->model, f);
+    x.kind = PM_EVIDENCE_NEAR;
+    x.what = i;
+    x.distance = near;
+    x.reach = f->near_reach;
+    x.unit = f->natural;
+    pm_evidence_take(&w->evidence, &x);
+}
+
+/* How far it is from zero now, if it has not fired. */
+static void take_value(pm_workspace *w, int i, int marks)
+{
+    const pm_event_function *f = &w->event->function[i];
+    if (!did_not_fire(w, i, marks) || meets_slowly(w, f)) return;
+    pm_evidence_decision x = of_function(w->model, f);
+    x.kind = PM_EVIDENCE_VALUE;
+    x.what = i;
+    x.distance = distance_of(w, f);
+    if (is_at_end(&w->frame, f, x.distance)) return;
+    x.unit = f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND ? w->numbers.size : f->natural;
+    x.reach = fabs(x.distance);
+    pm_evidence_take(&w->evidence, &x);
+}
+
 void pm_event_evidence_instant(pm_workspace *w, int marks)
 {
     if (!w->evidence.active) return;
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
-        pm_event_function *f = &e->function[i];
-        pm_evidence_decision x = of_function(w->model, f);
-        x.kind = PM_EVIDENCE_NEAR;
-        x.what = i;
-        x.distance = f->near;
-        x.reach = f->near_reach;
-        x.unit = f->natural;
-        if (isfinite(f->near)) pm_evidence_take(&w->evidence, &x);
-        f->near = INFINITY;
-        if (!did_not_fire(w, i, marks) || meets_slowly(w, f)) continue;
-        x.kind = PM_EVIDENCE_VALUE;
-        x.distance = distance_of(w, f);
-        if (is_at_end(&w->frame, f, x.distance)) continue;
-        if (f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND) x.unit = w->numbers.size;
-        x.reach = fabs(x.distance);
-        pm_evidence_take(&w->evidence, &x);
+        take_nearest(w, i);
+        take_value(w, i, marks);
     }
     if (isfinite(w->firing.jumped) && time_is_due(w)) take_time_since_jump(w);
 }

@@ -86,23 +86,31 @@ static int look_at_nodes(pm_workspace *w, int functions, int watched)
     return PM_OK;
 }
 
+static void find_range(pm_event_function *f, const double *g, int n)
+{
+    f->ranged = 1;
+    f->least = INFINITY;
+    f->most = -INFINITY;
+    for (int k = 0; k < n; k++) {
+        f->least = pm_min(g[k], f->least);
+        f->most = pm_max(g[k], f->most);
+    }
+}
+
 /* The triggers that are sampled, at all nodes, which have been read. */
 static void sample_triggers(pm_workspace *w)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < e->ntrigger; i++) {
-        const pm_event_function *f = &e->function[i];
+        pm_event_function *f = &e->function[i];
         double *value = pm_event_samples(w->event, i);
         if (f->owned) continue;
         pm_watched_samples_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
-        double least = INFINITY, greatest = -INFINITY;
-        for (int k = 0; k < w->step.nodes->n; k++) {
-            least = pm_min(value[k], least);
-            greatest = pm_max(value[k], greatest);
-        }
-        e->last[f->index] = pm_max(pm_max(greatest, -least), 0);
-        e->least[f->index] = pm_min(least, e->least[f->index]);
-        e->greatest[f->index] = pm_max(greatest, e->greatest[f->index]);
+        find_range(f, value, w->step.nodes->n);
+        f->ranged = !f->every; /* the course of an `every` is from its nearest multiples */
+        e->last[f->index] = pm_max(pm_max(f->most, -f->least), 0);
+        e->least[f->index] = pm_min(f->least, e->least[f->index]);
+        e->greatest[f->index] = pm_max(f->most, e->greatest[f->index]);
     }
 }
 
@@ -234,17 +242,6 @@ double pm_event_samples_along(void *of, double x, void *function)
     const pm_event_function *f = function;
     if (pm_step_look(w, x, f->level)) return NAN;
     return pm_event_value(w, f);
-}
-
-static void find_range(pm_event_function *f, const double *g, int n)
-{
-    f->ranged = 1;
-    f->least = INFINITY;
-    f->most = -INFINITY;
-    for (int k = 0; k < n; k++) {
-        f->least = pm_min(g[k], f->least);
-        f->most = pm_max(g[k], f->most);
-    }
 }
 
 void pm_event_samples_take(const pm_step *step, pm_event_set *event, int i, pm_event_course *x)

@@ -177,7 +177,7 @@ static int phase(pm_workspace *w, int *ended)
     if ((status = pm_advance(w, ended)) || !*ended) return status;
     /* the end is inside a step: answers there may need accelerations, which a singular position does not give */
     pm_frame_look_state(&w->frame, &w->state);
-    return pm_saddle_accelerate(w);
+    return w->ask->instant_level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
 }
 
 /* A path that cannot be followed (it approaches an equilibrium for ever, its constraints are singular) is left to the next

@@ -28,11 +28,11 @@
 #include "state/workspace.h"
 
 /* ---- by the state ---- */
-static int look_at_programs(pm_workspace *w, const pm_state *s, double *ask, double *trigger)
+static int look_at_programs(pm_workspace *w, int level, const pm_state *s, double *ask, double *trigger)
 {
     const pm_model *m = w->model;
     pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
-    const int status = pm_saddle_accelerate(w);
+    const int status = level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
     if (status) return status;
     for (int i = 0; i < m->nask; i++) ask[i] = pm_program_run(w, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
@@ -170,6 +170,17 @@ static void add_derived(pm_workspace *w, pm_natural_size *x)
     }
 }
 
+static int level_needed(const pm_workspace *w)
+{
+    int level = w->ask->instant_level;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
+        const int program = PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_PROGRAM];
+        if (program >= 0 && w->model->programs.level[program] > level)
+            level = w->model->programs.level[program];
+    }
+    return level;
+}
+
 int pm_natural_size_create(pm_workspace *w, pm_natural_size *x)
 {
     const pm_model *m = w->model;
@@ -179,6 +190,7 @@ int pm_natural_size_create(pm_workspace *w, pm_natural_size *x)
         PM_ARRAY(x->shifts, m->nask),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    x->level = level_needed(w);
     for (int i = 0; i < m->nask && !status; i++)
         x->shifts[i] = pm_program_walk_reads(m, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM], has_greatest) != PM_NONE;
     return status;
@@ -190,10 +202,10 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
     memset(x->ask, 0, (size_t)nask * sizeof(double));
     memset(x->terms, 0, (size_t)nask * sizeof(double));
     memset(x->trigger, 0, (size_t)ntrigger * sizeof(double));
-    if (look_at_programs(w, &w->state, ask, trigger)) return;
+    if (look_at_programs(w, x->level, &w->state, ask, trigger)) return;
     find_terms(w, x);
     const double part = pm_case_shift(w, &w->probe);
-    if (look_at_programs(w, &w->probe, x->ask, x->trigger)) return;
+    if (look_at_programs(w, x->level, &w->probe, x->ask, x->trigger)) return;
     for (int i = 0; i < nask; i++) x->ask[i] = size_of(x->ask[i], ask[i], part);
     for (int i = 0; i < nask; i++)
         if (pm_model_ask_is_integral(PM_ASK_ROW(w->model, i))) take_integral(w, x, i);

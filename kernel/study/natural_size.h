@@ -10,6 +10,7 @@ typedef struct pm_natural_size {
     double *largest; /* [nask] the greater of both */
     double *trigger; /* [ntrigger] as ask */
     unsigned char *shifts; /* [nask] it reads a kind of quantity that `terms` is about */
+    int level;             /* enum pm_level that asks and triggers need */
 } pm_natural_size;
 
 int pm_natural_size_create(pm_workspace *w, pm_natural_size *x);

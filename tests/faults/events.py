@@ -172,7 +172,7 @@ FAULTS = [
     Fault(
         "nodes: least of the triggers is not kept",
         "events/event_samples.c",
-        "least = pm_min(value[k], least);",
+        "e->least[f->index] = pm_min(f->least, e->least[f->index]);",
         "",
     ),
     Fault(

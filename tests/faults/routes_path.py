@@ -206,7 +206,7 @@ FAULTS = [
     Fault(
         "segment: barrier ignored",
         "routes/path/repeat_energy.c",
-        "if (!(next - pm_repeat_energy_depth(l) > near)) {",
+        "if (!(next - depth > near)) {",
         "if (0) {",
     ),
     Fault(

@@ -24,17 +24,11 @@ double pm_repeat_energy_work(const pm_workspace *w)
     return work + mass * (w->numbers.gravity[0] * l->by[0] + w->numbers.gravity[1] * l->by[1]);
 }
 
-/* T with which the segment after the next one begins. */
-static double kinetic_after(const pm_repeat *l, const pm_repeats *c)
-{
-    return l->ratio * (c->kinetic + l->work);
-}
-
 double pm_repeat_energy_depth(const pm_repeat *l) { return l->kinetic - l->lowest; }
 
 void pm_repeat_energy_add(const pm_repeat *l, pm_repeats *c)
 {
-    const double end = c->kinetic + l->work, next = kinetic_after(l, c);
+    const double end = c->kinetic + l->work, next = l->ratio * end;
     c->n++;
     c->lost += end - next;
     c->error = l->ratio * c->error + PM_ENERGY_ROUNDINGS * (end + next);
@@ -50,11 +44,12 @@ static int is_before_unsure(const pm_repeat *l, double begin, double kinetic)
 pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
 {
     pm_repeats c = {.kinetic = begin, .error = error};
-    const double near = PM_REPEAT_BARRIER * fmax(l->kinetic, fabs(pm_repeat_energy_depth(l)));
-    if (!(begin - pm_repeat_energy_depth(l) > near)) return c;
+    const double depth = pm_repeat_energy_depth(l);
+    const double near = PM_REPEAT_BARRIER * fmax(l->kinetic, fabs(depth));
+    if (!(begin - depth > near)) return c;
     while (c.n < most) {
-        const double t = c.kinetic, next = kinetic_after(l, &c);
-        if (!(next - pm_repeat_energy_depth(l) > near)) {
+        const double t = c.kinetic, next = l->ratio * (t + l->work);
+        if (!(next - depth > near)) {
             c.is_last = 1;
             return c;
         }
