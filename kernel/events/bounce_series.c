@@ -27,30 +27,58 @@
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
+#include "state/arena.h"
 #include "state/workspace.h"
 
+/* ---- whom a contact touches ---- */
+static void list_bodies(const pm_model *m, int contact, int *body)
+{
+    int of[PM_REFERENCES];
+    const int n = pm_reference_bodies(m, PM_TABLE_CONTACT, contact, of);
+    for (int k = 0; k < n; k++)
+        if (of[k] != PM_GROUND) *body++ = of[k];
+    *body = PM_NONE;
+}
+
+int pm_bounce_series_create(pm_workspace *w)
+{
+    pm_event_set *e = w->event;
+    const int n = w->model->rows[PM_TABLE_CONTACT];
+    const pm_array array[] = {
+        PM_ARRAY(e->series, n),
+        PM_ARRAY(e->body, (PM_REFERENCES + 1) * n),
+        PM_ARRAY(e->beside_struck, n),
+        PM_ARRAY(e->ordered, n),
+    };
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    for (int i = 0; i < n && !status; i++) list_bodies(w->model, i, e->body + (PM_REFERENCES + 1) * i);
+    return status;
+}
+
+static const int *bodies_of(const pm_event_set *e, int contact)
+{
+    return e->body + (PM_REFERENCES + 1) * contact;
+}
+
+static int touches(const pm_event_set *e, int contact, int body)
+{
+    for (const int *of = bodies_of(e, contact); *of != PM_NONE; of++)
+        if (*of == body) return 1;
+    return 0;
+}
+
+static int share_body(const pm_event_set *e, int contact, int other)
+{
+    for (const int *of = bodies_of(e, contact); *of != PM_NONE; of++)
+        if (touches(e, other, *of)) return 1;
+    return 0;
+}
+
+/* ---- blows ---- */
 void pm_bounce_series_begin(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
         w->event->series[i] = (pm_bounce_series){.over = -INFINITY, .expected = -INFINITY};
-}
-
-static int touches(const pm_model *m, int contact, int body)
-{
-    int of[PM_REFERENCES];
-    const int n = pm_reference_bodies(m, PM_TABLE_CONTACT, contact, of);
-    for (int i = 0; i < n; i++)
-        if (of[i] == body) return 1;
-    return 0;
-}
-
-static int share_body(const pm_model *m, int contact, int other)
-{
-    int of[PM_REFERENCES];
-    const int n = pm_reference_bodies(m, PM_TABLE_CONTACT, contact, of);
-    for (int i = 0; i < n; i++)
-        if (of[i] != PM_GROUND && touches(m, other, of[i])) return 1;
-    return 0;
 }
 
 /* The contacts that were struck and share a body with this one, itself among them. */
@@ -58,7 +86,7 @@ static int find_near(const pm_workspace *w, int contact)
 {
     int near = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (i == contact || (w->event->series[i].known > 0 && share_body(w->model, contact, i)))
+        if (i == contact || (w->event->series[i].known > 0 && share_body(w->event, contact, i)))
             w->event->beside_struck[near++] = i;
     return near;
 }
@@ -70,29 +98,30 @@ typedef struct pm_blow_order {
     double time[PM_SERIES_BLOWS];
 } pm_blow_order;
 
-/* How many of a contact's blows are in the order already. */
-static int taken(const pm_blow_order *x, int contact)
-{
-    int n = 0;
-    for (int i = 0; i < x->n; i++) n += x->contact[i] == contact;
-    return n;
-}
-
 /* Those of one instant are entered in the order of the contacts: the latest is the last of them. */
 static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
 {
     int latest = PM_NONE;
     double time = -INFINITY;
     for (int i = 0; i < near; i++) {
-        const int contact = e->beside_struck[i], k = taken(x, contact);
-        if (k >= e->series[contact].known || e->series[contact].struck[k] < time) continue;
-        latest = contact;
-        time = e->series[contact].struck[k];
+        const pm_bounce_series *s = &e->series[e->beside_struck[i]];
+        const int k = e->ordered[i];
+        if (k >= s->known || s->struck[k] < time) continue;
+        latest = i;
+        time = s->struck[k];
     }
     if (latest == PM_NONE) return 0;
-    x->contact[x->n] = latest;
+    e->ordered[latest]++;
+    x->contact[x->n] = e->beside_struck[latest];
     x->time[x->n++] = time;
     return 1;
+}
+
+static void put_in_order(const pm_event_set *e, int near, pm_blow_order *x)
+{
+    x->n = 0;
+    memset(e->ordered, 0, (size_t)near * sizeof *e->ordered);
+    while (x->n < PM_SERIES_BLOWS && append_latest(e, near, x)) continue;
 }
 
 static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
@@ -180,9 +209,9 @@ static void count_own(const pm_workspace *w, int near, int contact)
 
 static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
-    pm_blow_order x = {0};
+    pm_blow_order x;
     double ratio = 0;
-    while (x.n < PM_SERIES_BLOWS && append_latest(w->event, near, &x)) continue;
+    put_in_order(w->event, near, &x);
     int k = 0;
     while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_cycles(&x, k);
     if (ratio > 0) tell(w->event, near, &x, k, ratio);
@@ -338,7 +367,7 @@ static int is_going_on(const pm_workspace *w, int contact)
 int pm_bounce_series_moves(const pm_workspace *w, int body)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (is_going_on(w, i) && (body == PM_NONE || touches(w->model, i, body))) return 1;
+        if (is_going_on(w, i) && (body == PM_NONE || touches(w->event, i, body))) return 1;
     return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include "state/workspace.h"
 
+int pm_bounce_series_create(pm_workspace *w);
 /* A run begins: nothing has been struck. */
 void pm_bounce_series_begin(const pm_workspace *w);
 /* The contact is struck now. */

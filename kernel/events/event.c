@@ -19,6 +19,7 @@
 #include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "equations/shared_reading.h"
+#include "events/bounce_series.h"
 #include "events/track.h"
 #include "events/watched_samples.h"
 #include "numerics/bracket.h"
@@ -59,8 +60,6 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->last, ntrigger),
         PM_ARRAY(e->came, ntrigger),
         PM_ARRAY(e->spent, ncontact),
-        PM_ARRAY(e->series, ncontact),
-        PM_ARRAY(e->beside_struck, ncontact),
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
         PM_ARRAY(e->culling.moved, m->nbody + 1),
@@ -76,7 +75,7 @@ int pm_event_create(pm_workspace *w)
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
             pm_watched_samples_add(w->model, w->watched, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
-    return PM_OK;
+    return pm_bounce_series_create(w);
 }
 
 /* ---- the functions of a phase ---- */
