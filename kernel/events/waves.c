@@ -202,11 +202,18 @@ typedef struct pm_passage {
     int passed;        /* switches, part by part */
 } pm_passage;
 
+/* A switch stands otherwise at the end: some part passes it, however short the parts are. */
+static int passes_switch(const pm_waves_course *c, const pm_enclosure *e)
+{
+    return !c->by_branches && e->changes > 0;
+}
+
 /* Whether it stays within its bends over [from, to], and passes no switch that is not known there. */
 static int stays(const pm_waves_course *c, pm_passage *x, double from, double to)
 {
     const double middle = 0.5 * (from + to);
     const pm_enclosure e = enclose(c, from, to);
+    if (passes_switch(c, &e)) return 0;
     if (e.open <= (c->by_branches ? e.changes : 0) && pm_interval_inside(e.jet.bend, x->bends)) {
         x->passed += e.changes;
         return 1;
@@ -231,7 +238,8 @@ static int has_known_switches(const pm_waves_course *c, int first, int last)
     const int middle = (first + last) / 2;
     pm_passage x = {.bends = PM_INTERVAL_ALL, .budget = PM_TIME_PARTS};
     if (last - first == 1) return stays_between(c, &x, first);
-    if (enclose(c, at[first], at[last]).open == 0) return 1;
+    const pm_enclosure e = enclose(c, at[first], at[last]);
+    if (e.open == 0 || passes_switch(c, &e)) return e.open == 0;
     return has_known_switches(c, first, middle) && has_known_switches(c, middle, last);
 }
 

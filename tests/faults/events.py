@@ -430,6 +430,18 @@ FAULTS = [
         "(1 ||",
     ),
     Fault(
+        "waves: any stretch passes a switch",
+        "events/waves.c",
+        "return !c->by_branches && e->changes > 0;",
+        "return !c->by_branches;",
+    ),
+    Fault(
+        "waves: a branch that is passed is a switch that is not known",
+        "events/waves.c",
+        "return !c->by_branches && e->changes > 0;",
+        "return e->changes > 0;",
+    ),
+    Fault(
         "waves: what samples do not tell of a measure is not there",
         "events/waves.c",
         "return told == SERIES_NOISE;",
