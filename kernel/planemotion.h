@@ -74,7 +74,13 @@ enum pm_status {
     /* where it acts there is neither rest nor a steady motion: where = action, or setting */
     PM_NUDGE_UNSTEADY = -22,
     PM_NUDGE_STABLE =
-        -23 /* nothing that it could begin grows: where likewise; detail = rate of what grows otherwise, 1/s */
+        -23, /* nothing that it could begin grows: where likewise; detail = rate of what grows otherwise, 1/s */
+    /* no equilibrium was found near the start: where = body; detail = acceleration left of it, m/s^2 */
+    PM_NO_EQUILIBRIUM = -24,
+    PM_EQUILIBRIUM_MOVES = -25, /* a drive moves at the start: where = body; detail = its velocity */
+    /* friction leaves open where it is: where = contact, or force that is a friction; detail = what it needs
+     * where it is drawn, what it has; or not a number: where the contact closes nothing tells */
+    PM_EQUILIBRIUM_OPEN = -26
 };
 
 /* ---- asks --------------------------------------------------------------------------------------------------- */
@@ -155,7 +161,8 @@ enum pm_setting_column {
     PM_SETTING_SHARED = 12,  /* enum pm_shared_setting */
     /* value index, 1 .. 10: n of contacts with stiffnesses, see PM_CONTACT_STIFFNESS */
     PM_SETTING_EXPONENT = 13,
-    PM_SETTING_COLUMNS = 14
+    PM_SETTING_EQUILIBRIUM = 14, /* 1: it starts in an equilibrium near the start that is written */
+    PM_SETTING_COLUMNS = 15
 };
 
 /* ---- finds ----------------------------------------------------------------------------------------------------
@@ -249,8 +256,9 @@ enum pm_count_column {
     PM_COUNT_SHARED_BLOWS = 12,
     /* of several contacts, which one by one would leave another motion; PM_SIMULTANEOUS_OPEN alone */
     PM_COUNT_ORDERED_BLOWS = 13,
-    PM_COUNT_STIFF_PHASES = 14, /* in which stability made the steps of rk short, not accuracy */
-    PM_COUNT_COLUMNS = 15
+    PM_COUNT_STIFF_PHASES = 14,    /* in which stability made the steps of rk short, not accuracy */
+    PM_COUNT_UNSTABLE_STARTS = 15, /* 1: the equilibrium in which it starts is unstable */
+    PM_COUNT_COLUMNS = 16
 };
 /* What pm_check reports of the assembled start. */
 enum pm_check_column {
@@ -259,13 +267,24 @@ enum pm_check_column {
     PM_CHECK_REDUNDANT = 2,   /* constraints that depend on others */
     PM_CHECK_FREEDOM = 3,     /* degrees of freedom */
     PM_CHECK_CLOSED = 4,      /* contacts closed at the start */
-    PM_CHECK_COLUMNS = 5
+    PM_CHECK_EQUILIBRIUM = 5, /* enum pm_equilibrium_kind */
+    PM_CHECK_COLUMNS = 6
+};
+/* Small motion next to it, with contacts and frictions as they are. */
+enum pm_equilibrium_kind {
+    PM_EQUILIBRIUM_NONE = 0, /* none was asked for */
+    PM_EQUILIBRIUM_STABLE = 1,
+    PM_EQUILIBRIUM_NEUTRAL = 2, /* something can move on and nothing draws it back */
+    PM_EQUILIBRIUM_UNSTABLE = 3,
+    PM_EQUILIBRIUM_NOT_TOLD = 4, /* forces are not smooth there */
+    PM_EQUILIBRIUM_KINDS = 5
 };
 enum pm_check_number {
     PM_CHECK_MOVED = 0,   /* greatest displacement by the assembly, m */
     PM_CHECK_SIZE = 1,    /* size of the scene, m */
     PM_CHECK_OPENING = 2, /* greatest residual after assembly, m */
-    PM_CHECK_NUMBERS = 3
+    PM_CHECK_SETTLED = 3, /* greatest displacement from there to an equilibrium, m */
+    PM_CHECK_NUMBERS = 4
 };
 
 /* Runs cases first .. over `nworker` threads; every row of the results depends on its own parameters only.

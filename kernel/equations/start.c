@@ -259,7 +259,7 @@ static int check_overlap(pm_workspace *w)
 
 int pm_start(pm_workspace *w, pm_start_report *report)
 {
-    *report = (pm_start_report){0, 0};
+    *report = (pm_start_report){0};
     pm_active_set_clear(&w->active, w->model);
     draw(w);
     pm_frame_look_state(&w->frame, &w->state);

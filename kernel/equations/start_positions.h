@@ -5,8 +5,10 @@
 #include "state/workspace.h"
 
 typedef struct pm_start_report {
-    double moved;   /* greatest displacement by the assembly, m */
-    double opening; /* greatest residual after it, m */
+    double moved;    /* greatest displacement by the assembly, m */
+    double opening;  /* greatest residual after it, m */
+    double settled;  /* greatest displacement from there to an equilibrium, m */
+    int equilibrium; /* enum pm_equilibrium_kind */
 } pm_start_report;
 
 /* Moves w->state.q from where the bodies are drawn by the least that meets joints and written positions; the frame looks at

@@ -149,6 +149,18 @@
 #define PM_GROWTH_GROWS 1e-4 /* of the fastest change: less is what differences make of no growth; more: slow growth is missed */
 #define PM_GROWTH_FOLLOWS 1e-7 /* of the fastest change: L u = r u; more: what does not grow as one passes */
 #define PM_GROWTH_EXCITED 1e-7 /* of what is left of any blow: this one excites growth; more: weak ones are refused */
+#define PM_SETTLE_DIFFERENCE (1. / 512) /* rad, or of the scene's size: displacement for derivatives of the forces; more: curvature spoils them */
+#define PM_SETTLE_LONGEST 0.3 /* likewise: longest step; more: it jumps to an equilibrium farther off */
+#define PM_SETTLE_NEUTRAL 1e-10 /* of the stiffest direction: nothing acts along this one, to what differences tell; more: soft directions stay as drawn */
+#define PM_SETTLE_HALVINGS 6 /* of a step whose forces are not smaller; more: slower to find that it leads nowhere */
+#define PM_SETTLE_FALL 0.1   /* of the fall of the forces that the step promises; more: more steps are halved */
+#define PM_SETTLE_NEAR 1e-6 /* rad, or of the scene's size: a step of Newton's method that converges, whatever rounding makes of the forces; more: others pass */
+#define PM_SETTLE_SWEEPS 60 /* steps; more: slower where there is none */
+#define PM_SETTLE_SINKS 300 /* steps of sinking; likewise */
+#define PM_SETTLE_SUNK 1e-3 /* rad, or of the scene's size: so near that Newton's method ends it; more: it may lead elsewhere */
+#define PM_SETTLE_ROUNDS 10 /* and two for each contact: changes of which contacts carry; more: slower where none end */
+#define PM_SETTLE_MET 1e-9 /* of the forces in the scene: none; more: slow motions pass */
+#define PM_SETTLE_RESTS 1e-7 /* of the accelerations in the scene, as contacts find them: none; likewise */
 #define PM_PERTURBATION_SIZE 0.1 /* of the root of the tolerance: what is neglected goes with its square; more: less exact */
 #define PM_PERTURBATION_STILL 1e-11 /* of the scene's speed: at rest; more: slow motions count as rest */
 #define PM_PERTURBATION_SHOWS 1e-6 /* of the deviation: what the program must make of it; more: weak programs are refused */

@@ -26,6 +26,7 @@
 #include "numerics/tolerances.h"
 #include "routes/path/repeat.h"
 #include "routes/path/repeat_rest.h"
+#include "routes/start/equilibrium.h"
 #include "routes/start/perturbation.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -95,6 +96,14 @@ static void set_speed_scale(pm_workspace *w)
     w->numbers.speed = pm_max(PM_NO_SPEED * crossing, w->numbers.speed);
 }
 
+/* At the state, with what switches on its side. */
+static void look_at_forces(pm_workspace *w)
+{
+    pm_frame_look_state(&w->frame, &w->state);
+    pm_trigger_take_sides(w);
+    set_speed_scale(w);
+}
+
 static int open_ledger(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_FORCE]; i++) {
@@ -119,16 +128,23 @@ static int accelerate_unfastened(pm_workspace *w)
     return PM_OK;
 }
 
+/* From the start that is assembled to an equilibrium near it. */
+static int settle(pm_workspace *w, pm_start_report *report)
+{
+    if (!pm_equilibrium_wanted(w->model)) return PM_OK;
+    look_at_forces(w);
+    return pm_equilibrium_find(w, report);
+}
+
 /* All of the start but what happens at its instant. */
 static int assemble(pm_workspace *w, const double *param, pm_start_report *report)
 {
     int status = begin_case(w, param, report);
     if (status) return status;
     pm_fixed_bodies_find(w);
+    if ((status = settle(w, report))) return status;
     pm_gap_bounds_drop(w);
-    pm_frame_look_state(&w->frame, &w->state);
-    pm_trigger_take_sides(w);
-    set_speed_scale(w);
+    look_at_forces(w);
     if ((status = open_ledger(w))) return status;
     pm_frame_look_state(&w->frame, &w->state);
     pm_joint_friction_close(&w->frame, &w->state);
@@ -137,10 +153,17 @@ static int assemble(pm_workspace *w, const double *param, pm_start_report *repor
     return !status && !w->phase.kinematic ? accelerate_unfastened(w) : status;
 }
 
+/* The instant of the start; an equilibrium is one by the laws of contacts, too. */
+static int start_at_once(pm_workspace *w)
+{
+    const int status = pm_instant_start(w);
+    return !status && pm_equilibrium_wanted(w->model) ? pm_equilibrium_check(w) : status;
+}
+
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 {
     const int status = assemble(w, param, report);
-    return status ? status : pm_instant_start(w);
+    return status ? status : start_at_once(w);
 }
 
 /* Segments, and periods of swings, that go like one before are passed over. */
@@ -304,7 +327,7 @@ int pm_run(pm_workspace *w, const double *param)
     w->fixed->wanted = 1;
     int status = assemble(w, param, &report);
     const int started = status == PM_OK;
-    if (!status) status = pm_instant_start(w);
+    if (!status) status = start_at_once(w);
     if (!status) status = run_phases(w);
     pm_phase_report_end(w);
     if (!status) status = end(w);

@@ -23,6 +23,7 @@
 #include "impact/impact.h"
 #include "routes/path/repeat.h"
 #include "routes/path/repeat_rest.h"
+#include "routes/start/equilibrium.h"
 #include "routes/start/perturbation.h"
 #include "state/arena.h"
 #include "state/route.h"
@@ -141,6 +142,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_repeat_rest_create(w);
     if (!status) status = pm_routes_create(w);
     if (!status) status = pm_perturbation_create(w);
+    if (!status) status = pm_equilibrium_create(w);
     return status;
 }
 

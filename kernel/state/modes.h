@@ -17,7 +17,8 @@ typedef struct pm_modes {
     int64_t contacts; /* pm_active_set.version */
     /* Works it out at the frame and leaves the frame as it was; nothing is known where it fails (tree/small_motion.h). */
     void (*find)(pm_workspace *w);
-    struct pm_small_motion *motion; /* of `find` */
+    struct pm_small_motion *motion;     /* of `find` */
+    struct pm_equilibrium *equilibrium; /* where the scene starts in one (routes/start/equilibrium.h) */
 } pm_modes;
 
 #endif

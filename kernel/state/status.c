@@ -51,6 +51,9 @@ static const char *text_of(enum pm_status status)
     case PM_NO_IMPULSE: return "no impulse does the work asked";
     case PM_NUDGE_UNSTEADY: return "a nudge acts where there is neither rest nor a steady motion";
     case PM_NUDGE_STABLE: return "nothing that a nudge could begin grows";
+    case PM_NO_EQUILIBRIUM: return "no equilibrium was found near the start";
+    case PM_EQUILIBRIUM_MOVES: return "the start is not at rest";
+    case PM_EQUILIBRIUM_OPEN: return "friction leaves the equilibrium open";
     }
     return "unknown status";
 }

@@ -286,6 +286,8 @@ static void report_check(const pm_workspace *w, const pm_start_report *report, i
     number[PM_CHECK_MOVED] = report->moved;
     number[PM_CHECK_SIZE] = w->numbers.size;
     number[PM_CHECK_OPENING] = report->opening;
+    info[PM_CHECK_EQUILIBRIUM] = report->equilibrium;
+    number[PM_CHECK_SETTLED] = report->settled;
 }
 
 int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const double *constant, int64_t nparam,
@@ -302,7 +304,7 @@ int pm_check(int64_t ntable, const int32_t *table, int64_t nconstant, const doub
         ncontact < model->rows[PM_TABLE_CONTACT]) {
         status = PM_BAD_TABLE;
     } else if (!(status = keep_answers(w))) {
-        pm_start_report report = {0, 0};
+        pm_start_report report = {0};
         memset(info, 0, PM_CHECK_COLUMNS * sizeof *info);
         w->patience.stop = stop;
         pm_patience_begin(&w->patience);

@@ -41,4 +41,58 @@ FAULTS = [
         "w->active.constraint[i].body[1])",
         "more |= 0",
     ),
+    Fault(
+        "equilibrium: against the forces",
+        "routes/start/equilibrium.c",
+        "x->step[k] -= along / x->value[i]",
+        "x->step[k] += along / x->value[i]",
+    ),
+    Fault(
+        "equilibrium: nothing sinks",
+        "routes/start/equilibrium.c",
+        "if (!sink(w, x, &met) && (met || !newton(w, x))) return PM_OK;",
+        "if (!newton(w, x)) return PM_OK;",
+    ),
+    Fault(
+        "equilibrium: what pulls stays closed",
+        "routes/start/equilibrium.c",
+        "if (!status && !changed) changed = open_pulling(w);",
+        "",
+    ),
+    Fault(
+        "equilibrium: bodies sink through what they meet",
+        "routes/start/equilibrium.c",
+        "if (!status) status = close_overlapping(w, &changed);",
+        "",
+    ),
+    Fault(
+        "equilibrium: overlaps stay",
+        "routes/start/equilibrium.c",
+        "if (!status) status = pm_projection_apply(w, &w->state); /* contacts that overlap */",
+        "",
+    ),
+    Fault(
+        "equilibrium: friction holds anything",
+        "routes/start/equilibrium.c",
+        "return status ? status : check_friction(w);",
+        "return status;",
+    ),
+    Fault(
+        "equilibrium: forces that no displacement changes",
+        "routes/start/equilibrium.c",
+        "if (ends) return x->unanswered > PM_SETTLE_MET * scale_of(&w->numbers);",
+        "if (ends) return 0;",
+    ),
+    Fault(
+        "equilibrium: the start is where it was drawn",
+        "routes/start/equilibrium.c",
+        "    pm_state_copy(&w->start, &w->state);\n    return settled;",
+        "    return settled;",
+    ),
+    Fault(
+        "equilibrium: all are stable",
+        "routes/start/equilibrium.c",
+        "return m->growth > 0 ? PM_EQUILIBRIUM_UNSTABLE",
+        "return m->growth > 1e99 ? PM_EQUILIBRIUM_UNSTABLE",
+    ),
 ]

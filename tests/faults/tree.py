@@ -146,15 +146,15 @@ FAULTS = [
     ),
     Fault(
         "modes: along the rows of the loops",
-        "tree/small_motion.c",
+        "tree/free_motion.c",
         "sum += x->basis[i * x->n + x->nloop + k] * s[k];",
         "sum += x->basis[i * x->n + k] * s[k];",
     ),
     Fault(
         "modes: no damping",
         "tree/small_motion.c",
-        "x->matrix[(f + k) * n + by] = x->change[k]",
-        "x->matrix[(f + k) * n + by] = by < f ? x->change[k] : 0",
+        "x->matrix[(f + k) * n + by] = x->free.change[k]",
+        "x->matrix[(f + k) * n + by] = by < f ? x->free.change[k] : 0",
     ),
     Fault("modes: nothing is nothing", "tree/small_motion.c", "    clean(root, n, rate);\n", ""),
     Fault(
@@ -165,7 +165,7 @@ FAULTS = [
     ),
     Fault(
         "modes: the tree of the phase",
-        "tree/small_motion.c",
+        "tree/free_motion.c",
         "    x->tree = w->tree;\n    w->tree = of_phase;",
         "    x->tree = of_phase;\n    w->tree = of_phase;",
     ),

@@ -338,7 +338,7 @@ static inline scene *scene_create(void)
     const int none = scene_value(s, 0);
     SCENE_ROW(s, PM_TABLE_SETTING, none, scene_value(s, -9.81), scene_value(s, 1e-11), scene_value(s, 1000),
               scene_value(s, 1e-12), PM_ROUTE_RK, 20000, 40000, PM_NONE, 0, PM_SIMULTANEOUS_TOGETHER, PM_NONE,
-              PM_SHARED_NONE, scene_value(s, 1));
+              PM_SHARED_NONE, scene_value(s, 1), 0);
     return s;
 }
 

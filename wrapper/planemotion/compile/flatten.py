@@ -156,7 +156,9 @@ class _Flattener:
         data, tables = self.data, self.tables
         self._check_masses()
         Spins(self.drawn, self.reader, tables).add(data)
-        Starts(self.drawn, self.reader, self.measures, tables).add(data.start, self._fastened())
+        Starts(self.drawn, self.reader, self.measures, tables, at_rest=data.equilibrium).add(
+            data.start, self._fastened()
+        )
         nudge = layout.PM_NONE
         if data.nudge is not None:
             nudge = add_nudge(data.nudge, self.measures, tables, "start.nudge")
@@ -354,6 +356,7 @@ class _Flattener:
             layout.PM_SETTING_MAX_CPU: self._limit(solve.max_cpu, "solve.max_cpu"),
             layout.PM_SETTING_SHARED: _SHARED[solve.shared],
             layout.PM_SETTING_EXPONENT: value(exponent, "solve.stiffness_exponent"),
+            layout.PM_SETTING_EQUILIBRIUM: int(self.data.equilibrium),
         }
         self.tables.add(layout.PM_TABLE_SETTING, row, "solve")
 

@@ -34,8 +34,17 @@ _LINEAR_PARTS = (layout.PM_PART_NONE, layout.PM_PART_X, layout.PM_PART_Y, layout
 class Starts:
     """Adds start rows to the tables."""
 
-    def __init__(self, drawn: DrawnRows, reader: Reader, measures: Measures, tables: Tables) -> None:
+    def __init__(
+        self,
+        drawn: DrawnRows,
+        reader: Reader,
+        measures: Measures,
+        tables: Tables,
+        *,
+        at_rest: bool = False,
+    ) -> None:
         self.drawn = drawn
+        self.at_rest = at_rest
         self.drawing = drawn.drawing
         self.reader = reader
         self.measures = measures
@@ -118,6 +127,8 @@ class Starts:
         ):
             reason = "it cannot be given at the start; angle, omega, x, y and along of points can"
             raise SceneError(reason)
+        if self.at_rest and level == layout.PM_START_VELOCITY:
+            raise SceneError("an equilibrium is at rest; leave the velocity out, or start.equilibrium")
         self._start(level, measure, value, path)
 
 

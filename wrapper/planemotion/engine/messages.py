@@ -359,6 +359,24 @@ _DESCRIPTIONS: dict[int, Any] = {
         + ("what grows there does not move what it names" if found > 0 else "the rest or motion is stable")
         + "; name a velocity that changes as it is left"
     ),
+    layout.PM_NO_EQUILIBRIUM: lambda place, found, bound: (
+        f"start: no equilibrium was found near the positions given: an acceleration of {found:.4g} m/s^2 is "
+        f"left of {place} (a rotation: that times the size of the scene); draw it nearer to one"
+    ),
+    layout.PM_EQUILIBRIUM_MOVES: lambda place, found, bound: (
+        f"start: an equilibrium is at rest, and what drives {place} moves it at the start "
+        f"({found:.4g} m/s or rad/s); let the drive begin at rest, or leave the equilibrium out"
+    ),
+    layout.PM_EQUILIBRIUM_OPEN: lambda place, found, bound: (
+        f"start: with the friction of {place} there are many equilibria, and it is not drawn in one: it "
+        + (
+            f"would need {f'{found:.4g}' if math.isfinite(found) else 'more'} and has {bound:.4g}"
+            + ("" if place.startswith("contacts.") else " (N or N m)")
+            + "; draw it where friction can hold it"
+            if not math.isnan(found)
+            else "would come to touch where nothing tells; draw it touching there, or let it be smooth"
+        )
+    ),
     layout.PM_NO_IMPULSE: lambda place, found, bound: (
         f"{place}: no impulse on this body does the work {found:.6g} J and keeps the sense of rotation"
         + (

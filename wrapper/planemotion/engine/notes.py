@@ -58,6 +58,11 @@ def notes_of(
         )
     if counts["ordered_blows"]:
         notes.append(_ordered_note(counts["ordered_blows"], ordered))
+    if counts["unstable_starts"]:
+        notes.append(
+            "the equilibrium at the start is unstable: without start.nudge the scene stays there only "
+            "because nothing disturbs it; drawn farther away it finds another"
+        )
     return tuple(notes)
 
 

@@ -43,7 +43,18 @@ class SceneData(Table):
     table with all that other files say of its parts, None where there are none.
     """
 
-    unwritten = ("file", "source", "hints", "advice", "nudge", "run_finds", "joined", "counted", "whole")
+    unwritten = (
+        "file",
+        "source",
+        "hints",
+        "advice",
+        "nudge",
+        "equilibrium",
+        "run_finds",
+        "joined",
+        "counted",
+        "whole",
+    )
     file: str | None = None
     source: Source = Source()
     advice: tuple[str, ...] = ()
@@ -69,6 +80,7 @@ class SceneData(Table):
     templates: Annotated[dict[str, Any], BeforeValidator(read_templates)] = {}
     start: Annotated[dict[str, Value | Vector], BeforeValidator(read_start)] = {}
     nudge: Text | None = None
+    equilibrium: bool = False
     events: dict[str, Annotated[Event, BeforeValidator(read_event)]] = {}
     ask: dict[str, Annotated[Ask, BeforeValidator(read_ask)]] = {}
     find: Find | None = None

@@ -50,6 +50,7 @@ def validate(
     written = Written(text)
     try:
         check_table(raw)
+        raw = _with_start(raw)
         whole = whole_scene(raw, file, text)
         written = whole.written
         raw, hints = renewed(whole.table)
@@ -81,13 +82,25 @@ def validate(
     return data
 
 
+def _with_start(raw: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The same with a table in place of `start = "equilibrium"`."""
+    start = raw.get("start")
+    if not isinstance(start, str):
+        return raw
+    if start != "equilibrium":
+        raise SceneError('a table is wanted, or start = "equilibrium"', path="start", value=start)
+    return {**raw, "start": {"equilibrium": True}}
+
+
 def _taken_apart(raw: Mapping[str, Any]) -> dict[str, Any]:
     """What stands beside other things in a table of the file and has a place of its own in the scene."""
     apart: dict[str, Any] = {}
     start = words.table(raw, "start")
-    if isinstance(start.get("nudge"), str):
-        apart["nudge"] = start["nudge"]
-        apart["start"] = {key: value for key, value in start.items() if key != "nudge"}
+    told = {"nudge": str, "equilibrium": bool}
+    found = {key for key, kind in told.items() if isinstance(start.get(key), kind)}
+    if found:
+        apart |= {key: start[key] for key in found}
+        apart["start"] = {key: value for key, value in start.items() if key not in found}
     runs = words.table(raw, "runs")
     if any("find" in run for run in runs.values()):
         apart["runs"] = {
@@ -147,7 +160,7 @@ def _complaint(first: Any, path: str, called: Mapping[str, str] | None) -> Scene
         path += f"[{part}]" if isinstance(part, int) else f".{part}" if path else part
     path = path.replace("sweep.grids.", "sweep.")
     path = re.sub(r"^run_finds\.(\w+)", r"runs.\1.find", path)
-    path = "start.nudge" if path == "nudge" else path
+    path = f"start.{path}" if path in ("nudge", "equilibrium") else path
     written = first.get("input")
     shown = written if isinstance(written, str | int | float | bool | list) else None
     if first["type"] == "missing":

@@ -27,6 +27,12 @@ if TYPE_CHECKING:
 
 # A start that the assembly moved by more than this part of the scene's size is worth a warning.
 _FAR = 0.05
+_EQUILIBRIA = {
+    layout.PM_EQUILIBRIUM_STABLE: "in a stable equilibrium",
+    layout.PM_EQUILIBRIUM_NEUTRAL: "in a neutral equilibrium (nothing draws back what moves on)",
+    layout.PM_EQUILIBRIUM_UNSTABLE: "in an unstable equilibrium",
+    layout.PM_EQUILIBRIUM_NOT_TOLD: "in an equilibrium (its forces are not smooth: stable or not)",
+}
 
 
 @dataclass(frozen=True, repr=False)
@@ -84,7 +90,13 @@ def explain(scene: WrittenScene) -> Told:
             "forces",
             ((name, force.kind, force.between, _options(force)) for name, force in data.forces.items()),
         ),
-        _section("start", ((address, _written(value)) for address, value in data.start.items())),
+        _section(
+            "start",
+            (
+                *([("in an equilibrium near the positions given",)] if data.equilibrium else []),
+                *((address, _written(value)) for address, value in data.start.items()),
+            ),
+        ),
         _section("events", (_event(name, event) for name, event in data.events.items())),
         _section("until", ((" and ".join(group),) for group in data.until)),
         _section(
@@ -169,6 +181,10 @@ def _assembly(start: Start) -> list[str]:
         )
     if not start.message and share > _FAR:
         lines.append(f"warning: that is far (more than {_FAR:.0%}): look at it with `planemotion draw`")
+    if not start.message and info["equilibrium"]:
+        lines.append(
+            f"{_EQUILIBRIA[info['equilibrium']]}, {number['settled']:.3g} m at most from where it was drawn"
+        )
     if info["redundant"] and not start.message:
         lines += shared_lines(start.shared)
     return lines

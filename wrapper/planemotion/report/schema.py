@@ -100,12 +100,17 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_body_or_two: _ONE_OR_TWO,
     readers.read_templates: {"type": "object", "additionalProperties": {"type": "object"}},
     readers.read_start: {  # by address, which dotted keys make tables in tables
-        "type": "object",
+        "type": ["object", "string"],
+        "pattern": "^equilibrium$",
         "properties": {
+            "equilibrium": {
+                "description": "Whether the scene starts in an equilibrium near the positions given.",
+                "type": "boolean",
+            },
             "nudge": {
                 "description": "The side to which an unstable rest is left, such as AB.omega < 0.",
                 **_TEXT,
-            }
+            },
         },
         "additionalProperties": True,
     },
