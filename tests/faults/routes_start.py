@@ -43,13 +43,13 @@ FAULTS = [
     ),
     Fault(
         "equilibrium: against the forces",
-        "routes/start/equilibrium.c",
+        "routes/start/equilibrium_search.c",
         "x->step[k] -= along / x->value[i]",
         "x->step[k] += along / x->value[i]",
     ),
     Fault(
         "equilibrium: nothing sinks",
-        "routes/start/equilibrium.c",
+        "routes/start/equilibrium_search.c",
         "if (!sink(w, x, &met) && (met || !newton(w, x))) return PM_OK;",
         "if (!newton(w, x)) return PM_OK;",
     ),
@@ -67,7 +67,7 @@ FAULTS = [
     ),
     Fault(
         "equilibrium: overlaps stay",
-        "routes/start/equilibrium.c",
+        "routes/start/equilibrium_search.c",
         "if (!status) status = pm_projection_apply(w, &w->state); /* contacts that overlap */",
         "",
     ),
@@ -76,12 +76,6 @@ FAULTS = [
         "routes/start/equilibrium.c",
         "return status ? status : check_friction(w);",
         "return status;",
-    ),
-    Fault(
-        "equilibrium: forces that no displacement changes",
-        "routes/start/equilibrium.c",
-        "if (ends) return x->unanswered > PM_SETTLE_MET * scale_of(&w->numbers);",
-        "if (ends) return 0;",
     ),
     Fault(
         "equilibrium: the start is where it was drawn",

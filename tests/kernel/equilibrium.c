@@ -35,9 +35,11 @@ static void a_rod_on_a_torsion_spring(void)
     scene_force(s, PM_FORCE_TORSION, b, PM_GROUND, k, free);
     const int angle = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, b));
     const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, b));
+    const int turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, b)); /* since it starts */
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(k * (s->out[angle] - free) + weight * cos(s->out[angle]), 0, 1e-13 * k * (1 + fabs(free)));
     NEAR(s->out[omega], 0, 1e-9);
+    NEAR(s->out[turned], 0, 1e-9);
     EQUAL(s->count[PM_COUNT_UNSTABLE_STARTS], 0); /* it is stiffer than the weight */
     scene_free(s);
 }
