@@ -26,12 +26,6 @@ static inline pm_interval pm_interval_hull(pm_interval a, pm_interval b)
 {
     return (pm_interval){fmin(a.lo, b.lo), fmax(a.hi, b.hi)};
 }
-/* What both hold; a where rounding has parted them. */
-static inline pm_interval pm_interval_common(pm_interval a, pm_interval b)
-{
-    const pm_interval x = {fmax(a.lo, b.lo), fmin(a.hi, b.hi)};
-    return x.lo <= x.hi ? x : a;
-}
 
 pm_interval pm_interval_sum(pm_interval a, pm_interval b);
 pm_interval pm_interval_product(pm_interval a, pm_interval b);

@@ -13,33 +13,9 @@ from scipy.integrate import solve_ivp
 
 import planemotion as pm
 from tests.scenes import ROUTES, G
+from tests.scenes.chain import chain
 
 STUDIES = Path(__file__).parents[2] / "studies"
-CHAIN = """
-until = "t = 0.6 s"
-[parameters]
-n = 3
-L = "0.5 m"
-m = "0.8 kg"
-[bodies."link[i]"]
-for = "i in 1..n"
-rod = ["A", "B"]
-length = "L"
-mass = "m"
-angle = "(-20 deg)*i"
-[ground.points]
-O = [0, 0]
-[joints.root]
-pin = ["link[1].A", "ground.O"]
-[joints."pin[i]"]
-for = "i in 2..n"
-pin = ["link[i-1].B", "link[i].A"]
-[start]
-"link[i].omega" = { for = "i in 1..n", value = "i*(0.3 rad/s)" }
-[ask]
-"angle[i]" = { for = "i in 1..n", value = "link[i].angle" }
-tip = "link[n].B.y"
-"""
 Floats = npt.NDArray[np.float64]
 
 
@@ -67,7 +43,7 @@ def angles(n: int, end: float) -> Floats:
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("n", [1, 2, 5])
 def test_a_chain_of_n_links_moves_as_its_equations_say(n: int, route: str) -> None:
-    found: Any = pm.load_text(CHAIN).with_values({"n": n, "solve.route": route}).run()
+    found: Any = pm.load_text(chain("0.6 s")).with_values({"n": n, "solve.route": route}).run()
     wanted = angles(n, 0.6)
     for i in range(n):
         assert found[f"angle[{i + 1}]"] == pytest.approx(wanted[i], abs=1e-9 if route != "ida" else 1e-7)
@@ -168,7 +144,7 @@ def test_a_chain_of_500_links_is_read_in_time_that_grows_with_it() -> None:
             calls += 1
             return split(self, dotted)
 
-        scene = pm.load_text(CHAIN).with_values({"n": n})
+        scene = pm.load_text(chain("0.6 s")).with_values({"n": n})
         Names.split = counted  # type: ignore[method-assign]
         try:
             flat = flatten(scene, history=False)

@@ -87,7 +87,7 @@ def test_columns_are_chosen_by_name(tmp_path: Path) -> None:
     scene.write_text(SCENE.format(table='{ file = "m.csv", value = "f" }', value="k(t)", name="k"))
     assert pm.load(scene).run().v == pytest.approx(500)
     scene.write_text(SCENE.format(table='{ file = "m.csv", value = "g" }', value="k(t)", name="k"))
-    with pytest.raises(pm.SceneError, match=r"has no such column.*it has t, f, note"):
+    with pytest.raises(pm.SceneError, match=r"unknown column of .*; there is t, f, note"):
         pm.load(scene)
 
 

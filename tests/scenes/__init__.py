@@ -1,7 +1,8 @@
 """Scenes that tests and the benchmark share, and how they are asked.
 
 `parts`: bodies with what holds them, as lines of TOML that stand before the tables of a scene.  `pendulum`:
-the rod on a pin that sweeps and the command line run.  Chains of any length: studies/benchmarks/generate.py.
+the rod on a pin that sweeps and the command line run.  `chain`: links by an index; those of benchmarks are
+written out by studies/benchmarks/generate.py.
 """
 
 from __future__ import annotations

@@ -10,30 +10,9 @@ import numpy as np
 import pytest
 
 import planemotion as pm
+from tests.scenes.chain import chain
 
-CHAIN = """
-until = "t = 0.2 s"
-[parameters]
-n = 3
-L = "0.5 m"
-[bodies."link[i]"]
-for = "i in 1..n"
-rod = ["A", "B"]
-length = "L"
-mass = "1 kg"
-angle = "(-20 deg)*i"
-[joints.root]
-pin = ["link[1].A", "ground"]
-[joints."pin[i]"]
-for = "i in 2..n"
-pin = ["link[i-1].B", "link[i].A"]
-[ask]
-tip = "link[n].B.x"
-"angle[i]" = { for = "i in 1..n", value = "link[i].angle" }
-[sweep]
-L = ["0.5 m", "0.7 m", "1 m"]
-n = [4, 2, 3]
-"""
+CHAIN = chain("0.2 s", '[sweep]\nL = ["0.5 m", "0.7 m", "1 m"]\nn = [4, 2, 3]')
 
 
 def same(made: Any) -> None:

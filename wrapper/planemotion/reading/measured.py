@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..base.errors import Faults, SceneError, nearest
+from ..base.errors import Faults, SceneError
 from ..language.dimensions import DIMENSIONLESS, Dimension
 from ..language.units import parse_quantity
 from ..model import words
@@ -131,10 +131,7 @@ def _place(file: CsvFile, columns: Sequence[Column], wanted: Any, first: int, pa
         return columns[first]
     named = [column for column in columns if column.name == wanted]
     if not named:
-        known = [column.name for column in columns]
-        guess = nearest(wanted, known)
-        hint = f' (did you mean "{guess}"?)' if guess else ""
-        reason = f"{file.file} has no such column{hint}; it has {', '.join(known)}"
+        reason = words.unknown(wanted, [column.name for column in columns], f"column of {file.file}")
         raise SceneError(reason, path=path, value=wanted)
     if len(named) > 1:
         raise SceneError(f"{file.file} has {len(named)} columns of that name", path=path, value=wanted)
