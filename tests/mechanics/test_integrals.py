@@ -165,9 +165,15 @@ def test_integrals_are_swept() -> None:
 @pytest.mark.parametrize(
     ("ask", "told"),
     [
-        ('{ mean = "ball.y", at = "end" }', '"mean" is over the time of the run'),
-        ('{ max = "ball.y", during = "t < (1 s)" }', "it goes with integral, mean, rms, not with max"),
-        ('{ mean = "ball.y", max = "ball.y" }', "one of of, max, min, integral, mean, rms, events is wanted"),
+        ('{ mean = "ball.y", at = "end" }', '"mean" is over the time of the whole run'),
+        (
+            '{ max = "ball.y", during = "t < (1 s)" }',
+            "it goes with integral, mean, rms, amplitude, phase, not with max",
+        ),
+        (
+            '{ mean = "ball.y", max = "ball.y" }',
+            "one of of, max, min, integral, mean",
+        ),
         ('{ mean = "ball.y", during = "ball.y" }', "a condition is wanted"),
         ('{ mean = "ball.y", during = "ball.y < (1 s)" }', "a length"),
         ('{ integral = "ball.y", unit = "m" }', "the answer is a quantity of length*time"),

@@ -76,7 +76,7 @@ FAULTS = [
     ('at = "low"', 'at = "c"', 18, "ask.omega.at", '"c"', 'events.NAME = "c strikes", then at = "NAME"'),
     ('"low" }', '"AB.angle = 1" }', 18, "ask.omega.at", '"AB.angle = 1"', "a condition gets a name: events."),
     ('"rad/s"', '"m"', 18, "ask.omega.unit", '"m"', "this is a length; the answer is an angular velocity"),
-    ('of = "AB.omega", ', "", 18, "ask.omega", "", "mean, rms, events is wanted"),
+    ('of = "AB.omega", ', "", 18, "ask.omega", "", "amplitude, phase, events is wanted"),
     ('until = "t = 1 s"\n', "", None, "until", "", 'what ends the run is wanted, such as until = "t = 2 s"'),
     ("t = 1 s", "1 s", 1, "until", '"1 s"', "a condition is wanted"),
     ("t = 1 s", "t = 1", 1, "until", '"t = 1"', "t is a time, 1 is a plain number; they cannot be compared"),

@@ -30,7 +30,7 @@ FAULTS = [
     ('bodies.Q = { disk = "1 m", length = "1 m" }', "bodies.Q.length: only a rod has length"),
     (
         'ask.a = { of = "AB.omega", att = "end" }',
-        'ask.a.att: unknown key (did you mean "at"?); an ask has of, max, min, integral, mean, rms, events, ',
+        'ask.a.att: unknown key (did you mean "at"?); an ask has of, max, min, integral, mean, rms, period, ',
     ),
     (
         "sweep.L = { from = 1, to = 2, nun = 3 }",
@@ -243,7 +243,10 @@ FAULTS = [
     ('events.e = "3 > 2"', 'events.e = "3 > 2": nothing in this condition changes with the motion'),
     ('events.e = "AB.angle >= 3"', 'events.e = "AB.angle >= 3": an event fires on a crossing; write >'),
     ('ask.a = { max = "AB.omega", at = "end" }', "ask.a.at: an extreme over the run has no instant"),
-    ("ask.a = {}", "ask.a: one of of, max, min, integral, mean, rms, events is wanted"),
+    (
+        "ask.a = {}",
+        "ask.a: one of of, max, min, integral, mean, rms, period, frequency, amplitude, phase",
+    ),
     ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
     (
         'forces.f = { force = "AB.B", value = ["(3 kg)*AB.acceleration.x", 0] }',

@@ -11,15 +11,16 @@ from ..base.arrays import Floats
 from ..base.errors import SceneError, nearest
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..language.dimensions import DIMENSIONLESS, TIME, Dimension
+from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from ..language.tree import ONE, ZERO, Node, is_condition, select
 from ..language.units import factor
 from ..model.readers import Value
-from ..model.tables import ASK_INTEGRALS, Ask, At, Grid
+from ..model.tables import ASK_INTEGRALS, ASK_SWINGS, Ask, At, Grid
 from ..model.words import unknown
 from .events import firing
 from .grids import grid_nodes, read_grid
 from .measures import Measures, Reading
+from .swings import Hidden, dimension_of, period, wave
 
 # Columns of an answer "each EVENT" where nothing says how often the event fires, and the most of them.
 EACH_FIRINGS = 64
@@ -41,9 +42,10 @@ class Asked:
 
     `first`, `count`: columns of out of its run; `is_list`: the answer is a list; `text`: for people; `at`:
     unit and values [count] of the grid of a list, where they are plain quantities; `open_ended`: as long as
-    the event fired, so that not-a-number at its end means nothing.  `row`: of the first of its rows in the
-    kernel's table of asks.  `letters`: of a word of events their names, one row of the table each and one
-    for their sum at the end; `longest`: the letters of the longest word.
+    the event fired, so that not-a-number at its end means nothing.  `row`: the one in the kernel's table of
+    asks that people see; `hidden`: rows, of a column each, before it.  `letters`: of a word of events their
+    names, one row of the table each, from `row` on, and one for their sum at the end; `longest`: the
+    letters of the longest word.
     """
 
     key: str
@@ -58,16 +60,17 @@ class Asked:
     row: int = 0
     letters: tuple[str, ...] = ()
     longest: int = 0
+    hidden: int = 0
 
     @property
     def rows(self) -> int:
         """How many rows of the kernel's table of asks it has."""
-        return len(self.letters) + bool(self.letters) or 1
+        return len(self.letters) + bool(self.letters) or 1 + self.hidden
 
     @property
     def columns(self) -> int:
         """How many columns of out it has."""
-        return len(self.letters) * self.longest + bool(self.letters) or self.count
+        return len(self.letters) * self.longest + bool(self.letters) or self.count + self.hidden
 
 
 class Asks:
@@ -110,6 +113,9 @@ class Asks:
             self._add_word(key, ask, ask.events)
             return
         word = ask.word
+        if word in ASK_SWINGS:
+            self._add_swing(key, ask)
+            return
         at_instant = word == "of" and not isinstance(ask.at, At)
         with self.measures.of_instant(at_instant):
             reading = self._read(getattr(ask, word), f"{path}.{word}" if ask.of is None else path)
@@ -129,12 +135,47 @@ class Asks:
         self._add_row(row, count, path)
         self.dimensions[key] = reading.dimension
 
-    def _add_row(self, row: dict[int, int], count: int, path: str) -> None:
-        row[layout.PM_ASK_OUT] = self._width
+    def _add_row(self, row: dict[int, int], count: int, path: str) -> int:
+        """Its first column."""
+        first = row[layout.PM_ASK_OUT] = self._width
         row[layout.PM_ASK_COUNT] = count
         self.tables.add(layout.PM_TABLE_ASK, row, path)
         self._width += count
         self._rows += 1
+        return first
+
+    def _add_swing(self, key: str, ask: Ask) -> None:
+        """Adds what is asked of an expression that swings, behind the rows that it combines."""
+        path = f"ask.{key}"
+        where = f"{path}.{ask.word}"
+        reading = self._read(getattr(ask, ask.word), where)
+        rows, hidden = self._rows, Hidden(self.tables, self.watched, self._add_row, where)
+        if ask.word in ("period", "frequency"):
+            about = self.reader.number(ask.about, f"{path}.about", reading.dimension)
+            found = period(hidden, reading.node - about, ask.nth)
+            found = ONE / found if ask.word == "frequency" else found
+        else:
+            assert ask.omega is not None
+            omega = self.reader.number(ask.omega, f"{path}.omega", ANGULAR_VELOCITY)
+            found = wave(hidden, reading.node, omega, self._condition(ask, f"{path}.during"), ask.word)
+        dimension = dimension_of(ask.word, reading.dimension)
+        unit, size = _unit(ask.unit, dimension, path)
+        row = {**_row(layout.PM_ASK_END), layout.PM_ASK_PROGRAM: self.tables.program(found, path)}
+        column = Asked(
+            key, unit, size, self._width, 1, False, ask.text, row=self._rows, hidden=self._rows - rows
+        )
+        self.columns.append(column)
+        self._add_row(row, 1, path)
+        self.dimensions[key] = dimension
+
+    def _condition(self, ask: Ask, where: str) -> Node | None:
+        """The condition `during` of an ask."""
+        if ask.during is None:
+            return None
+        if not is_condition(self.reader.parameters.parse(ask.during, where)):
+            reason = 'a condition is wanted, such as "t < (2 s)"'
+            raise SceneError(reason, path=where, value=ask.during)
+        return self._read(ask.during, where).node
 
     def _add_word(self, key: str, ask: Ask, events: tuple[str, ...]) -> None:
         """Adds which events happened: at each firing of one, how many of all have fired so far."""
@@ -171,17 +212,14 @@ class Asks:
         """What is asked of an expression all along, and its row: 0 where its condition does not hold."""
         row = _row(_OVER_TIME[ask.word])
         dimension = reading.dimension * TIME if ask.word == "integral" else reading.dimension
-        if ask.during is None:
-            return Reading(reading.node, dimension), row
         where = f"{path}.during"
-        if not is_condition(self.reader.parameters.parse(ask.during, where)):
-            reason = 'a condition is wanted, such as "t < (2 s)"'
-            raise SceneError(reason, path=where, value=ask.during)
-        condition = self._read(ask.during, where)
+        condition = self._condition(ask, where)
+        if condition is None:
+            return Reading(reading.node, dimension), row
         row[layout.PM_ASK_PROGRAM_2] = self.tables.program(
-            self.watched(select(condition.node, ONE, ZERO), where), where
+            self.watched(select(condition, ONE, ZERO), where), where
         )
-        return Reading(select(condition.node, reading.node, ZERO), dimension), row
+        return Reading(select(condition, reading.node, ZERO), dimension), row
 
     def _instant(self, word: str, at: str | At | None, where: str) -> tuple[dict[int, int], int]:
         """The row's kind and instant, and the number of values."""

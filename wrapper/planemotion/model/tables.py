@@ -292,14 +292,16 @@ class Event(Table):
 # What an ask takes of an expression: its value at an instant, an extreme over the run, or all of its course.
 ASK_EXTREMES = ("max", "min")
 ASK_INTEGRALS = ("integral", "mean", "rms")
-ASK_WORDS = ("of", *ASK_EXTREMES, *ASK_INTEGRALS)
+ASK_PERIODS = ("period", "frequency")
+ASK_WAVES = ("amplitude", "phase")
+ASK_SWINGS = (*ASK_PERIODS, *ASK_WAVES)
+ASK_WORDS = ("of", *ASK_EXTREMES, *ASK_INTEGRALS, *ASK_SWINGS)
 
 
 class Ask(Table):
-    """`of` an expression `at` an instant, the extreme `max` or `min` of one, or what it does over the time.
-
-    `integral`, `mean` and `rms` are those of the time in which the condition `during` holds.  `events`: in
-    place of an expression, which of these events happened, in which order."""
+    """`of` an expression `at` an instant, its extreme `max` or `min`, or what it does over the time: also as
+    long as `during` holds, `about` a value, at `omega`.  `events`: which of these happened, in which order.
+    """
 
     of: Number | None = None
     max: Number | None = None
@@ -307,6 +309,13 @@ class Ask(Table):
     integral: Number | None = None
     mean: Number | None = None
     rms: Number | None = None
+    period: Number | None = None
+    frequency: Number | None = None
+    amplitude: Number | None = None
+    phase: Number | None = None
+    about: Number = 0
+    nth: Annotated[int, Field(strict=True, ge=1, lt=MOST_COUNT)] | None = None
+    omega: Number | None = None
     events: Annotated[tuple[str, ...], BeforeValidator(read_named)] | None = None
     during: Text | None = None
     at: Annotated[str | At, BeforeValidator(read_at)] | None = None
@@ -323,6 +332,8 @@ class Ask(Table):
         """What was asked, for people: "max hoop.omega", "-sphere.omega at before strike 1"."""
         words = [("" if word == "of" else f"{word} ", getattr(self, word)) for word in ASK_WORDS]
         words.append(("which happened of ", ", ".join(self.events) if self.events else None))
+        words.append(("swing ", None if self.nth is None else str(self.nth)))
+        words.append(("at omega ", self.omega))
         words.append(("during ", self.during))
         if isinstance(self.at, At):
             words += [("at max ", self.at.max), ("at min ", self.at.min), ("at each ", self.at.each)]

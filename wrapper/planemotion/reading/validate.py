@@ -19,18 +19,14 @@ from ..kinds import KINDS
 from ..model import words
 from ..model.element import Kind, Table
 from ..model.tables import (
-    ASK_EXTREMES,
-    ASK_INTEGRALS,
-    ASK_WORDS,
     DEFAULT_G,
     DESIGNS,
-    Ask,
-    At,
     Contact,
     Find,
     Sweep,
 )
 from .advice import advice
+from .asked import check_ask
 from .cases import with_cases
 from .check import check, kind_of
 from .measured import add_points
@@ -218,7 +214,7 @@ def _check_more(data: SceneData) -> None:
         if event.nth is not None and event.nth < 1:
             raise SceneError("firings are counted from 1", path=f"events.{name}.nth", value=event.nth)
     for name, ask in data.ask.items():
-        _check_ask(data, ask, f"ask.{name}")
+        check_ask(data, ask, f"ask.{name}")
     _check_counted(data)
     for run in data.runs or (None,):
         found = data.find_of(run)
@@ -321,50 +317,6 @@ def _check_law(contact: Contact, path: str) -> None:
     if contact.law != "newton":
         reason = f"it belongs to the law newton; the law {contact.law} says itself how the slip ends"
         raise SceneError(reason, path=where, value=contact.tangential)
-
-
-def _check_ask(data: SceneData, ask: Ask, path: str) -> None:
-    known = (*ASK_WORDS, "events")
-    given = [key for key in known if getattr(ask, key) is not None]
-    if len(given) != 1:
-        wanted = f"one of {', '.join(known)} is wanted"
-        raise SceneError(wanted + (f", not {' and '.join(given)}" if given else ""), path=path)
-    if ask.events is not None:
-        _check_word(data, ask, path)
-    if given[0] in ASK_EXTREMES and ask.at is not None:
-        raise SceneError(
-            f"an extreme over the run has no instant; write of = ..., at = {{ {given[0]} = ... }}",
-            path=f"{path}.at",
-        )
-    if given[0] in ASK_INTEGRALS and ask.at is not None:
-        reason = f'"{given[0]}" is over the time of the run; during = "t < (2 s)" takes a part of that'
-        raise SceneError(reason, path=f"{path}.at")
-    if given[0] not in ASK_INTEGRALS and ask.during is not None:
-        reason = f"it goes with {', '.join(ASK_INTEGRALS)}, not with {given[0]}"
-        raise SceneError(reason, path=f"{path}.during", value=ask.during)
-    if isinstance(ask.at, At):
-        kinds = [key for key in ("max", "min", "each") if getattr(ask.at, key) is not None]
-        if len(kinds) != 1 or (kinds == ["each"]) != (ask.at.values is not None):
-            raise SceneError(
-                "an instant is { max = ... }, { min = ... } or { each = ..., values = grid }",
-                path=f"{path}.at",
-            )
-    if ask.run is not None and ask.run not in data.runs:
-        raise SceneError(words.unknown(ask.run, tuple(data.runs), "run"), path=f"{path}.run")
-
-
-def _check_word(data: SceneData, ask: Ask, path: str) -> None:
-    """Of an ask which events happened."""
-    for key in ("at", "unit"):
-        if getattr(ask, key) is not None:
-            reason = "an ask which events happened is about the whole run, and has no unit"
-            raise SceneError(reason, path=f"{path}.{key}", value=getattr(ask, key))
-    assert ask.events is not None
-    for index, name in enumerate(ask.events):
-        if name not in data.events:
-            raise SceneError(words.unknown(name, data.events, "event"), path=f"{path}.events[{index}]")
-        if name in ask.events[:index]:
-            raise SceneError(f'"{name}" stands there twice', path=f"{path}.events[{index}]")
 
 
 def _check_find(data: SceneData, find: Find, path: str, run: str | None) -> None:
