@@ -40,6 +40,11 @@ class Block:
     def __len__(self) -> int:
         return len(self.status)
 
+    @property
+    def nbytes(self) -> int:
+        """Bytes of its arrays."""
+        return sum(getattr(self, name).nbytes for name in _BLOCK_TYPES)
+
     @staticmethod
     def arrays() -> tuple[str, ...]:
         """The names of the arrays, whose first dimension is the case."""

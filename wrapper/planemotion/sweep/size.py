@@ -77,9 +77,14 @@ def check_disk(size: Size, folder: Path) -> None:
         )
 
 
+def memory() -> int:
+    """Bytes of memory of this machine."""
+    return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+
+
 def check_memory(size: Size) -> None:
     """Raises StudyError if the results do not fit into the memory of this machine."""
-    there = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    there = memory()
     needed = EXTRA * size.result
     if needed > there:
         raise StudyError(

@@ -18,8 +18,10 @@ from queue import Empty, SimpleQueue
 from typing import Any, Protocol, TypeAlias, TypeGuard
 
 from ..base.errors import PlanemotionError, StudyError
+from .block import Block
 from .cases import Study
 from .chunks import CHUNK_SECONDS, FIRST_CHUNK, GROWTH, POLL, Progress, keep
+from .size import memory
 from .takes import Takes
 from .task import Recipe, compute_block
 
@@ -33,6 +35,10 @@ _COUNT_EVERY = 5.0
 _SLACK = 3
 # The longest block, in s: what a dead worker may cost.
 _LONGEST = 60.0
+# The smallest of the last blocks, as part of the others: each costs this process time, too.
+_LAST = 1 / 8
+# The part of this machine's memory that blocks may take that were handed out and are not stored yet.
+_HELD = 1 / 8
 # How often a block may be lost before it counts as what kills the workers.
 _TRIES = 12
 
@@ -181,7 +187,8 @@ class _Work:
             end = first + count
             while first < end:
                 share = math.ceil(self._left / (_AHEAD * self._crew.workers))
-                size = self._store.fit(first, max(1, min(self._size, share)), end)
+                last = max(1, share, round(_LAST * self._size))
+                size = self._store.fit(first, min(self._size, last), end)
                 yield _Task(first, size)
                 first += size
                 self._left -= size
@@ -213,12 +220,14 @@ class _Work:
         keep(self._store, self._study, task.first, block)
         spent = time.perf_counter() - begun
         self._storing = spent if not self._storing else 0.9 * self._storing + 0.1 * spent
-        self._pace(len(block), block.seconds)
+        self._pace(block)
 
-    def _pace(self, count: int, seconds: float) -> None:
+    def _pace(self, block: Block) -> None:
         wanted = max(CHUNK_SECONDS, _SLACK * self._crew.workers * self._storing)
-        goal = count * min(wanted, _LONGEST) / max(seconds, 1e-6)
-        self._size = max(1, min(round(goal), self._size * GROWTH, self._study.max_chunk))
+        goal = len(block) * min(wanted, _LONGEST) / max(block.seconds, 1e-6)
+        of_case = block.nbytes / len(block) + 8 * len(self._study.plan.names)
+        held = _HELD * memory() / (_AHEAD * self._crew.workers * of_case)
+        self._size = max(1, min(round(goal), self._size * GROWTH, self._study.max_chunk, round(held)))
 
     def _lose(self, task: _Task, number: int, error: BaseException) -> None:
         """A block that did not come back is done again."""
