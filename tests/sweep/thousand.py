@@ -238,7 +238,7 @@ class Store:
 
 @dataclass(frozen=True)
 class Found:
-    """How a sweep went: seconds by the clock, and the parts of them in which workers and own process worked."""
+    """How a sweep went: seconds by the clock, and parts of them in which workers and own process work."""
 
     seconds: float
     efficiency: float
