@@ -74,7 +74,8 @@ typedef struct pm_constraint_bounds {
  * the velocities of the frame where rate is not NULL; `act` gives the line of action; `remember` (no-slip constraints) sets or
  * refreshes the memory (of the anchor, else of the foot) from the frame: anchor_too = 1 closes the constraint here. `steady`:
  * the Jacobian stays the same along the curve (NULL: it never does); `bound` (constraints that are gaps): of the constraint as
- * evaluated at the frame, with the accelerations a[nq + 3]. */
+ * evaluated at the frame, with the accelerations a[nq + 3]; `bend` adds its second derivatives to zeros where that is less work
+ * than constraint_bend.c has with `evaluate` (NULL: it is not). */
 typedef struct pm_constraint_ops {
     void (*evaluate)(const pm_frame *frame, pm_constraint *c);
     double (*gap)(const pm_frame *frame, const pm_constraint *c, double *rate);
@@ -83,6 +84,7 @@ typedef struct pm_constraint_ops {
     int (*steady)(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
     void (*bound)(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x);
+    void (*bend)(const pm_frame *frame, const pm_constraint *c, double out[6][6]);
 } pm_constraint_ops;
 
 extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
@@ -147,6 +149,14 @@ double pm_constraint_square(const pm_frame *frame, const pm_constraint *c);
 double pm_constraint_openings(const pm_constraint *c, int n, const int *which, double *off);
 double pm_constraint_slips(const pm_frame *frame, const pm_constraint *c, int n, const int *which,
                            const double *v, double *off);
+/* Second derivatives of a constraint by (x, y, angle) of its two bodies, which are those of its Jacobian: symmetric.  The
+ * frame is as it was afterwards. */
+void pm_constraint_bend(pm_frame *frame, const pm_constraint *c, double bend[6][6]);
+/* out = bend v: how its rate changes with positions at the velocities v[nq]. */
+void pm_constraint_bend_along(const pm_frame *frame, const pm_constraint *c, double bend[6][6],
+                              const double *v, double out[6]);
+/* That of a constraint which is linear in positions. */
+void pm_constraint_straight(const pm_frame *frame, const pm_constraint *c, double bend[6][6]);
 /* All active constraints keep their Jacobian along the curve. */
 int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x);
 /* Rate of a constraint from the geometry of its line of action (equals j v). */

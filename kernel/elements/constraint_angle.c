@@ -26,4 +26,5 @@ static int steady(const pm_frame *frame, const pm_constraint *c, const pm_consta
     return 1;
 }
 
-const pm_constraint_ops pm_constraint_angle = {.evaluate = evaluate, .act = act, .steady = steady};
+const pm_constraint_ops pm_constraint_angle = {
+    .evaluate = evaluate, .act = act, .steady = steady, .bend = pm_constraint_straight};

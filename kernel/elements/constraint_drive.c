@@ -85,4 +85,5 @@ const pm_constraint_ops pm_constraint_drive = {
 const pm_constraint_ops pm_constraint_ratio = {.evaluate = evaluate_ratio,
                                                .act = act_ratio,
                                                .remember = remember_ratio,
-                                               .steady = pm_constant_motion_drive};
+                                               .steady = pm_constant_motion_drive,
+                                               .bend = pm_constraint_straight};

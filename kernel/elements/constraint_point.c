@@ -51,8 +51,26 @@ static void act_y(const pm_frame *frame, const pm_constraint *c, pm_line_of_acti
     act(frame, c, x, axis_y);
 }
 
+static void bend(const pm_frame *frame, const pm_constraint *c, double out[6][6], int k)
+{
+    double a[2], b[2];
+    lever_of(frame, c->body[0], c->a, a);
+    lever_of(frame, c->body[1], c->b, b);
+    out[2][2] = -a[k];
+    out[5][5] = b[k];
+}
+
+static void bend_x(const pm_frame *frame, const pm_constraint *c, double out[6][6])
+{
+    bend(frame, c, out, 0);
+}
+static void bend_y(const pm_frame *frame, const pm_constraint *c, double out[6][6])
+{
+    bend(frame, c, out, 1);
+}
+
 /* The levers stay where neither mark goes round. */
 const pm_constraint_ops pm_constraint_point_x = {
-    .evaluate = evaluate_x, .act = act_x, .steady = pm_constant_motion_marks};
+    .evaluate = evaluate_x, .act = act_x, .steady = pm_constant_motion_marks, .bend = bend_x};
 const pm_constraint_ops pm_constraint_point_y = {
-    .evaluate = evaluate_y, .act = act_y, .steady = pm_constant_motion_marks};
+    .evaluate = evaluate_y, .act = act_y, .steady = pm_constant_motion_marks, .bend = bend_y};

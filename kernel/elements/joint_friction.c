@@ -106,7 +106,7 @@ double pm_joint_friction_limit(const pm_workspace *w, int k)
     return own(&w->frame, k) + (c > 0 ? c * load(w, k, w->frame.lambda) : 0);
 }
 
-static double sliding(const pm_workspace *w, int k)
+double pm_joint_friction_sliding(const pm_workspace *w, int k)
 {
     const double size = own(&w->frame, k) + w->active.friction_load[k];
     return w->state.friction[k] == PM_SLIDE_FORWARD    ? -size
@@ -119,7 +119,7 @@ double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constrain
     for (int k = 0; k < w->model->nfriction; k++) {
         if (joint_of(&w->frame, k) != joint) continue;
         pm_joint_friction_constraint(&w->frame, k, c);
-        return w->active.friction_constraint[k] == PM_NONE ? sliding(w, k)
+        return w->active.friction_constraint[k] == PM_NONE ? pm_joint_friction_sliding(w, k)
                                                            : pm_reaction(w, w->active.friction_constraint[k]);
     }
     return 0;
@@ -149,7 +149,7 @@ void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x)
     pm_line_of_action along;
     pm_joint_friction_constraint(&w->frame, k, &c);
     pm_constraint_kind(c.kind)->act(&w->frame, &c, &along);
-    const double size = sliding(w, k);
+    const double size = pm_joint_friction_sliding(w, k);
     x->body_a = c.body[0];
     x->body_b = c.body[1];
     for (int i = 0; i < 2; i++) {

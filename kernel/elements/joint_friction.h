@@ -24,6 +24,8 @@ double pm_joint_friction_limit(const pm_workspace *w, int k);
 double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *c);
 /* The same of the impulse of its friction in the last blow. */
 double pm_joint_friction_impulse(const pm_workspace *w, int joint, pm_constraint *c);
+/* Size of friction k along its constraint while it slides, with the load that it has taken up; 0: it does not slide. */
+double pm_joint_friction_sliding(const pm_workspace *w, int k);
 /* The force of sliding; nothing where it holds. */
 void pm_joint_friction_action(const pm_workspace *w, int force, pm_action *x);
 /* It stays the same along a motion with constant accelerations. */

@@ -12,6 +12,7 @@ enum pm_measure_flag {
     PM_MEASURE_STARTS_VELOCITY = 16
 };
 
+struct pm_slope;        /* slope.h */
 struct pm_measure_args; /* measure_kinds.h */
 
 /* One kind: what it is of, what is known of it before it is measured (expression/program_class.h), how it is read off. */
@@ -23,6 +24,9 @@ typedef struct pm_measure_ops {
     int flags;  /* enum pm_measure_flag */
     double (*scalar)(const struct pm_measure_args *x);
     void (*vector)(const struct pm_measure_args *x, double out[2]); /* of which a part is read */
+    /* Adds its derivative by positions and velocities, times `weight` (of a vector weight[2], one for each component); 0: here it
+     * has none in closed form.  NULL: it has none anywhere. */
+    int (*slope)(const struct pm_measure_args *x, const double weight[2], struct pm_slope *to);
 } pm_measure_ops;
 
 const pm_measure_ops *pm_measure_kind(int kind);
@@ -34,6 +38,11 @@ int pm_measure_level(const pm_model *m, int i);
 double pm_measure(pm_workspace *w, int i);
 /* The same; where it is the size of something, that with its sign (what programs read: pm_workspace.read_measure). */
 double pm_measure_signed(pm_workspace *w, int i);
+/* Its derivative by positions and velocities is not 0 everywhere. */
+int pm_measure_moves(const pm_model *m, int i);
+/* Adds `weight` times that derivative at the frame, running integrals as they are: in closed form, or where there is none by
+ * differences. */
+void pm_measure_slope(pm_workspace *w, int i, double weight, struct pm_slope *to);
 int pm_measure_validate(const pm_model *m, pm_where *where);
 /* 1 if measure i may be written in the start table at this level (its value is linear in v, or its rate is). */
 int pm_measure_can_start(const pm_model *m, int i, int level);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "elements/slope.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -40,6 +41,16 @@ pm_scalar pm_measured_force_couple, pm_measured_force_work, pm_measured_force_po
 pm_vector pm_measured_force_force;
 /* measure_modes.c */
 pm_scalar pm_measured_mode_omega, pm_measured_mode_damping, pm_measured_modes_count, pm_measured_modes_growth;
+
+/* measure_slope.c */
+typedef int pm_measure_sloped(const pm_measure_args *x, const double weight[2], pm_slope *to);
+pm_measure_sloped pm_measure_slope_nothing, pm_measure_slope_angle, pm_measure_slope_turned,
+    pm_measure_slope_omega, pm_measure_slope_inertia, pm_measure_slope_kinetic, pm_measure_slope_momentum,
+    pm_measure_slope_angular_momentum, pm_measure_slope_pole, pm_measure_slope_position,
+    pm_measure_slope_moved, pm_measure_slope_velocity, pm_measure_slope_gap, pm_measure_slope_slip,
+    pm_measure_slope_force, pm_measure_slope_couple, pm_measure_slope_work, pm_measure_slope_power,
+    pm_measure_slope_stretch, pm_measure_slope_rate, pm_measure_slope_energy, pm_measure_slope_potential,
+    pm_measure_slope_total, pm_measure_slope_spin_omega, pm_measure_slope_spin_inertia;
 
 /* The least coefficient of friction with which it holds, with the sign of the friction; not a number where nothing presses. */
 static inline double pm_measured_needed(double normal, double friction)

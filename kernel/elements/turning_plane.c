@@ -162,6 +162,73 @@ void pm_turning_plane_forces(pm_frame *frame)
     }
 }
 
+/* ---- derivatives ---- */
+/* dJ/dq of one body. */
+static void inertia_slope(const pm_frame *frame, int i, double out[3])
+{
+    double sine, cosine;
+    const double arm = 2 * frame->numbers->mass[i] * distance(frame, i), *n = frame->numbers->plane.normal;
+    direction(frame, i, &sine, &cosine);
+    out[0] = arm * n[0];
+    out[1] = arm * n[1];
+    out[2] = 2 * (second(frame, i, PM_SECOND_X) - second(frame, i, PM_SECOND_Y)) * sine * cosine;
+}
+
+void pm_turning_plane_add_inertia(const pm_frame *frame, pm_slope *to, int i, double weight)
+{
+    for (int k = 0; k < frame->model->nbody; k++) {
+        double slope[6] = {0};
+        const int pair[2] = {k, frame->model->nbody};
+        if (i != PM_NONE && i != k) continue;
+        inertia_slope(frame, k, slope);
+        pm_slope_add_pair(frame, to, pair, slope, weight, 0);
+    }
+}
+
+void pm_turning_plane_add_omega(const pm_frame *frame, pm_slope *to, double weight)
+{
+    const double inertia = pm_turning_plane_inertia(frame);
+    if (inertia > 0)
+        pm_turning_plane_add_inertia(frame, to, PM_NONE, -weight * pm_turning_plane_omega(frame) / inertia);
+}
+
+void pm_turning_plane_add_kinetic(const pm_frame *frame, pm_slope *to, int i, double weight)
+{
+    if (!pm_turning_plane_turns(frame->model)) return;
+    const double omega = pm_turning_plane_omega(frame);
+    if (i == PM_NONE) {
+        pm_turning_plane_add_omega(frame, to, 0.5 * weight * pm_turning_plane_momentum(frame));
+        return;
+    }
+    pm_turning_plane_add_inertia(frame, to, i, 0.5 * weight * omega * omega);
+    pm_turning_plane_add_omega(frame, to, weight * omega * body_inertia(frame, i));
+}
+
+void pm_turning_plane_add_forces(const pm_frame *frame, double *slope)
+{
+    const int n = pm_turning_plane_turns(frame->model) ? frame->model->nbody : 0;
+    const double omega = pm_turning_plane_omega(frame), square = n > 0 ? omega * omega : 0,
+                 *normal = frame->numbers->plane.normal,
+                 inertia = n > 0 ? pm_turning_plane_inertia(frame) : 1;
+    for (int i = 0; i < n && square > 0; i++) {
+        double sine, cosine, own[3], other[3];
+        direction(frame, i, &sine, &cosine);
+        inertia_slope(frame, i, own);
+        for (int k = 0; k < 4; k++)
+            slope[(3 * i + k / 2) * 3 * n + 3 * i + k % 2] +=
+                square * frame->numbers->mass[i] * normal[k / 2] * normal[k % 2];
+        slope[(3 * i + 2) * 3 * n + 3 * i + 2] +=
+            square * (second(frame, i, PM_SECOND_X) - second(frame, i, PM_SECOND_Y)) *
+            (cosine * cosine - sine * sine);
+        for (int k = 0; k < n; k++) {
+            inertia_slope(frame, k, other);
+            for (int p = 0; p < 9; p++)
+                slope[(3 * i + p / 3) * 3 * n + 3 * k + p % 3] -=
+                    square * own[p / 3] * other[p % 3] / inertia;
+        }
+    }
+}
+
 double pm_turning_plane_force_size(const pm_frame *frame, const double *t)
 {
     if (!pm_turning_plane_turns(frame->model)) return 0;

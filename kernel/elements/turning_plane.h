@@ -2,6 +2,7 @@
 #ifndef PM_TURNING_PLANE_H
 #define PM_TURNING_PLANE_H
 
+#include "elements/slope.h"
 #include "state/workspace.h"
 
 /* What it needs among the running integrals. */
@@ -24,6 +25,12 @@ double pm_turning_plane_angle(const pm_frame *frame);
 double pm_turning_plane_kinetic(const pm_frame *frame, int i);
 /* Adds the centrifugal forces and couples to frame.f. */
 void pm_turning_plane_forces(pm_frame *frame);
+/* Their derivatives by positions, added to slope[nq][nq]: J'' Omega^2 / 2 - Omega^2 J' J' / J, H as it is. */
+void pm_turning_plane_add_forces(const pm_frame *frame, double *slope);
+/* Derivatives by positions: of J (of body i, or of all with PM_NONE), of Omega, of the kinetic energy of the turning. */
+void pm_turning_plane_add_inertia(const pm_frame *frame, pm_slope *to, int i, double weight);
+void pm_turning_plane_add_omega(const pm_frame *frame, pm_slope *to, double weight);
+void pm_turning_plane_add_kinetic(const pm_frame *frame, pm_slope *to, int i, double weight);
 /* Their size if they were along the motion t, at any place of the scene. */
 double pm_turning_plane_force_size(const pm_frame *frame, const double *t);
 /* Resultant of the centrifugal forces, and their moment about the origin. */

@@ -27,7 +27,7 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-static int friction_z(const pm_model *m) { return m->nz_controlled; }
+int pm_ledger_power(const pm_model *m) { return m->nz_controlled; }
 int pm_ledger_ledger(const pm_model *m) { return m->nz_controlled + 1; }
 
 static void add_outer(double *impulse, const double at[2], const double force[2], double couple, double sign)
@@ -107,8 +107,8 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
 {
     const pm_model *m = w->model;
     pm_ledger_controlled_rates(w, zdot);
-    zdot[friction_z(m)] = friction_power(&w->frame, &w->active, w->frame.lambda) +
-                          drive_power(&w->active, w->frame.lambda) + pm_turning_plane_power(w);
+    zdot[pm_ledger_power(m)] = friction_power(&w->frame, &w->active, w->frame.lambda) +
+                               drive_power(&w->active, w->frame.lambda) + pm_turning_plane_power(w);
     double *outer = zdot + pm_ledger_ledger(m);
     pm_turning_plane_outer(&w->frame, outer);
     for (int i = 0; i < m->nbody; i++) {
@@ -144,7 +144,7 @@ void pm_ledger_begin(pm_workspace *w)
 
 static double work_of_forces(const pm_model *m, const pm_state *state)
 {
-    double sum = state->z[friction_z(m)];
+    double sum = state->z[pm_ledger_power(m)];
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (m->force_z[i] != PM_NONE) sum += state->z[m->force_z[i]];
     return sum;

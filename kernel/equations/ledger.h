@@ -12,6 +12,8 @@ void pm_ledger_rates(pm_workspace *w, double *zdot);
 void pm_ledger_controlled_rates(pm_workspace *w, double *zdot);
 /* Natural size of one of these. */
 double pm_ledger_controlled_scale(const pm_frame *frame, int z);
+/* Which of them is the work of sliding contacts, drives and the couple of a turning plane. */
+int pm_ledger_power(const pm_model *m);
 /* Where the impulses of the outer world begin among the running integrals. */
 int pm_ledger_ledger(const pm_model *m);
 /* Opens the ledger at the start of the run (after the assembly). */

@@ -45,6 +45,11 @@ void pm_program_numbers(pm_workspace *w);
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
                           double derivative[2]);
 
+/* d(program)/d(measure) of one reading of a measure, the one that the walk over the program has come to, with the numbers of the
+ * case at w->frame; the chain rule is a sum over all readings.  Where something switches, that of one of its sides. */
+struct pm_program_walk;
+double pm_program_slope(pm_workspace *w, int index, const struct pm_program_walk *reading);
+
 /* A program that reads no measure but the place on a curve, with its derivatives at the place s. */
 pm_taylor pm_program_of_place(const pm_model *m, int index, const double *param, const double *value,
                               double s);

@@ -1,5 +1,5 @@
-/* program_rate.c - a program of the time alone with its first and second derivative by t: every number on the stack carries
- * both (forward differentiation).  Of f(a) they are
+/* program_rate.c - a program of the time alone with its first and second derivative by t, and the derivative of any program by
+ * what it reads: every number on the stack carries both (forward differentiation).  Of f(a) they are
  *
  *   f' a'   and   f'' a'^2 + f' a''
  *
@@ -9,6 +9,7 @@
 #include "expression/operation.h"
 #include "expression/piecewise.h"
 #include "expression/program.h"
+#include "numerics/tolerances.h"
 
 typedef struct pm_timed {
     double x, rate, change; /* value, d/dt, d2/dt2 */
@@ -59,6 +60,7 @@ static pm_timed product(pm_timed a, pm_timed b)
 
 static pm_timed ratio(pm_timed a, pm_timed b, double x)
 {
+    if (isinf(b.x) && isfinite(a.x)) return (pm_timed){x, 0, 0}; /* nothing, and so is what changes */
     const double rate = (a.rate - x * b.rate) / b.x;
     return (pm_timed){x, rate, (a.change - 2 * rate * b.rate - x * b.change) / b.x};
 }
@@ -122,8 +124,10 @@ static pm_timed look_up(const pm_program_walk *x, const pm_timed *a)
     return along((pm_shape){derivative[0], derivative[1]}, *a, value);
 }
 
-double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
-                          double derivative[2])
+/* What an instruction without operands pushes; of: the reader's own. */
+typedef pm_timed pm_push(const pm_program_walk *x, const void *of);
+
+static inline pm_timed run(const pm_model *m, int index, pm_push *push, const void *of)
 {
     pm_timed stack[PM_STACK];
     stack[0] = stack[1] = stack[2] =
@@ -135,16 +139,62 @@ double pm_program_of_time(const pm_model *m, int index, const double *param, con
             continue;
         }
         switch (x.takes) {
-        case 0: /* check.c allows no measure but the time */
-            *a = x.op == PM_OP_MEASURE ? (pm_timed){t, 1, 0}
-                                       : (pm_timed){pm_program_number(&x, param, value), 0, 0};
-            break;
+        case 0: *a = push(&x, of); break;
         case 1: *a = unary(x.op, *a); break;
         case 2: *a = binary(x.op, a[0], a[1]); break;
         default: *a = a[0].x != 0 ? a[1] : a[2];
         }
     }
-    derivative[0] = stack[0].rate;
-    derivative[1] = stack[0].change;
-    return stack[0].x;
+    return stack[0];
+}
+
+typedef struct pm_at_time {
+    const double *param, *value;
+    double t;
+} pm_at_time;
+
+static pm_timed time_or_number(const pm_program_walk *x, const void *of)
+{
+    const pm_at_time *at = of;
+    if (x->op == PM_OP_MEASURE) return (pm_timed){at->t, 1, 0}; /* check.c allows no other */
+    return (pm_timed){pm_program_number(x, at->param, at->value), 0, 0};
+}
+
+double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
+                          double derivative[2])
+{
+    const pm_timed x = run(m, index, time_or_number, &(pm_at_time){param, value, t});
+    derivative[0] = x.rate;
+    derivative[1] = x.change;
+    return x.x;
+}
+
+/* One reading of a measure changes, and nothing else. */
+typedef struct pm_at_reading {
+    pm_workspace *w;
+    const int32_t *next; /* of the walk that has come to it */
+    double moved;        /* by so much of itself, or of 1 */
+} pm_at_reading;
+
+static pm_timed measure_or_number(const pm_program_walk *x, const void *of)
+{
+    const pm_at_reading *at = of;
+    const pm_numbers *numbers = &at->w->numbers;
+    if (x->op <= PM_OP_VALUE) return (pm_timed){pm_program_number(x, numbers->param, numbers->value), 0, 0};
+    if (x->op == PM_OP_ANSWER) return (pm_timed){at->w->result.out[x->arg], 0, 0};
+    const double value = at->w->read_measure(at->w, x->arg);
+    const double sign = pm_program_takes_size(x->m, x->arg) && value < 0 ? -1 : 1;
+    if (x->next != at->next) return (pm_timed){sign * value, 0, 0};
+    return (pm_timed){sign * (value + at->moved * (1 + fabs(value))), sign, 0};
+}
+
+/* Where there is no derivative (the length of a vector that is zero) that to the side that is ahead, by a difference. */
+double pm_program_slope(pm_workspace *w, int index, const pm_program_walk *reading)
+{
+    const pm_timed here = run(w->model, index, measure_or_number, &(pm_at_reading){w, reading->next, 0});
+    if (isfinite(here.rate)) return here.rate;
+    const double by = PM_PROGRAM_AHEAD * (1 + fabs(w->read_measure(w, reading->arg)));
+    const pm_at_reading moved = {w, reading->next, PM_PROGRAM_AHEAD};
+    const double slope = (run(w->model, index, measure_or_number, &moved).x - here.x) / by;
+    return isfinite(slope) ? slope : 0;
 }

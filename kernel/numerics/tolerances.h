@@ -46,8 +46,12 @@
 
 #define PM_EXPONENT_MOST 150.0 /* beyond it e^x counts as constant, so that what it divides keeps bounds: 1 / (e^x + e^-x) is nothing there; larger: bounds overflow */
 
+#define PM_PROGRAM_AHEAD 1e-8 /* of a measure, and of 1: a difference where a program has no derivative; larger: it is that of another place */
+
 /* ---- elements ---- */
 
+#define PM_SLOPE_STEP 1e-6 /* of the scene's size or speed: differences of a measure that has no derivative; larger: curvature, smaller: rounding */
+#define PM_SLOPE_SAME 1e-9 /* of the scene's size: a gap that is the residual of its constraint; larger: that of something else may pass */
 #define PM_TOUCHING 1e-10 /* of the scene's size: gaps below it touch; larger: contacts close early, blows lose height */
 #define PM_NO_SPEED 1e-11 /* of the scene's speed: speeds below it are none; larger: slow slip and rebounds are lost */
 #define PM_CAPTURE_MEETS 1e-7 /* of the scene's size: points so near meet (places are known better); larger: near misses are caught */

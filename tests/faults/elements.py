@@ -514,4 +514,40 @@ FAULTS = [
         "firing->count[event] = once && count == PM_COUNTLESS ? 1 : count;",
         "firing->count[event] = count;",
     ),
+    Fault(
+        "slope: a line of action that does not turn",
+        "elements/force_slope.c",
+        "across[k] = (weight[k] - along * x->n[k]) / x->length",
+        "across[k] = (weight[k] - along * x->n[k]) * 0 / x->length",
+    ),
+    Fault(
+        "slope: the velocity of a point without the turn of its lever",
+        "elements/slope.c",
+        "to->q[3 * p->body + 2] -=",
+        "to->q[3 * p->body + 2] -= 0 *",
+    ),
+    Fault(
+        "measure slope: a moving observer whose axes stand still",
+        "elements/measure_slope.c",
+        "add_way(frame, &p, &o, (double[]){-omega * turned[1], omega * turned[0]}, to);",
+        "add_way(frame, &p, &o, (double[]){0, 0}, to);",
+    ),
+    Fault(
+        "measure: differences on one side only",
+        "elements/measure.c",
+        "q[k] = side == 0 ? old - step : old + step;",
+        "q[k] = side == 0 ? old : old + step;",
+    ),
+    Fault(
+        "constraint: second derivatives with the sign of what bends",
+        "elements/constraint_bend.c",
+        "return -moved.gamma;",
+        "return moved.gamma;",
+    ),
+    Fault(
+        "turning plane: centrifugal forces as if its rate stayed",
+        "elements/turning_plane.c",
+        "-= square * own[p / 3] * other[p % 3] / inertia",
+        "-= 0 * square * own[p / 3] * other[p % 3] / inertia",
+    ),
 ]

@@ -129,4 +129,10 @@ FAULTS = [
         "if (!(m->constant[k - 1] < m->constant[k]))",
         "if (m->constant[k - 1] > m->constant[k])",
     ),
+    Fault(
+        "program: every reading of a measure counts for each",
+        "expression/program_rate.c",
+        "x->next == at->next ? sign : 0",
+        "sign",
+    ),
 ]

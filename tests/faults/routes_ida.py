@@ -21,6 +21,24 @@ FAULTS = [
         "    pm_joint_friction_update(w);\n",
         "",
     ),
+    Fault(
+        "ida: power of a rubbing constraint without its turn",
+        "routes/ida/ida_slopes.c",
+        "slope, c->body, turn, size, 0)",
+        "slope, c->body, turn, 0 * size, 0)",
+    ),
+    Fault(
+        "ida: the lever of a force does not turn in the Jacobian",
+        "routes/ida/ida_slopes.c",
+        "sign * (r[0] * action->force[0] + r[1] * action->force[1])",
+        "0 * sign * (r[0] * action->force[0] + r[1] * action->force[1])",
+    ),
+    Fault(
+        "ida: friction of a joint does not lean the reactions of its matrix",
+        "routes/ida/ida_jacobian.c",
+        "+= share * c->j[p]",
+        "+= 0 * share * c->j[p]",
+    ),
     Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->gv_slope[", "= j->gv_slope["),
     Fault(
         "ida: what begins on its zero is not held there",

@@ -83,6 +83,29 @@ static void check_gap(const pm_frame *frame, const pm_constraint *row)
     NEAR(rate, pm_constraint_times(frame, row, frame->v), 0);
 }
 
+/* The second derivatives are those of the Jacobian, and looking for them leaves no trace. */
+static void check_bend(pm_workspace *w, pm_constraint row)
+{
+    double bend[6][6], velocity[6];
+    look(w, NULL, 0);
+    for (int i = 0; i < w->model->nq; i++) velocity[i] = w->frame.velocity[i];
+    pm_constraint_bend(&w->frame, &row, bend);
+    for (int i = 0; i < w->model->nq; i++) EQUAL(w->frame.velocity[i], velocity[i]);
+    for (int n = 0; n < 6; n++) {
+        if (row.body[n / 3] == w->model->nbody) continue;
+        double direction[6] = {0}, j[2][6];
+        direction[3 * row.body[n / 3] + n % 3] = 1;
+        for (int side = 0; side < 2; side++) {
+            look(w, direction, side == 0 ? -STEP : STEP);
+            pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
+            memcpy(j[side], row.j, sizeof row.j);
+        }
+        for (int i = 0; i < 6; i++)
+            if (row.body[i / 3] != w->model->nbody) NEAR(bend[i][n], (j[1][i] - j[0][i]) / (2 * STEP), 2e-8);
+    }
+    look(w, NULL, 0);
+}
+
 static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
 {
     const int nq = w->model->nq;
@@ -105,6 +128,7 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
     }
     const double change = (rate_at(w, row, speed, STEP) - rate_at(w, row, speed, -STEP)) / (2 * STEP);
     NEAR(row.gamma, -change, 1e-7);
+    check_bend(w, row);
     look(w, NULL, 0);
     if (on_constraint)
         NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);

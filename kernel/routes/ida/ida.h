@@ -3,6 +3,7 @@
  *   route_ida.c     the route: begin, step, at, exact
  *   ida_system.c    unknowns, residual, error weights
  *   ida_jacobian.c  the blocks of the Newton matrix
+ *   ida_slopes.c    derivatives of forces, and of what is integrated along
  *   ida_linear.c    their elimination, as a linear solver of SUNDIALS
  *   ida_sparse.c    the same for many unknowns
  *   ida_rounding.c  rounding of the unknowns
@@ -26,6 +27,7 @@
 #endif
 
 typedef struct pm_ida_sparse pm_ida_sparse;
+typedef struct pm_action_slope pm_action_slope;
 
 /* Blocks of dF/dy + cj dF/dy', row-major, and what solves with them. */
 typedef struct pm_ida_jacobian {
@@ -46,14 +48,16 @@ typedef struct pm_ida_jacobian {
     int *pivot;            /* [nq + nconstraint] */
     int *bending;          /* [nq] coordinates that `bend` is of */
     int nbend;
-    double independence; /* least independent part of a row of G, of that row, at the last matrix */
-    int known;           /* the factors are of this phase */
-    int fresh;           /* nothing is known of how well they serve */
-    int sparse;          /* there are many unknowns: ida_sparse.c */
-    double *scale;       /* [nq + nconstraint] of the unknowns of `system` */
-    double *work;        /* scratch of the differences and of a solution */
-    int has_forces;      /* some force may depend on positions */
-    int has_damping;     /* and some on velocities */
+    double independence;    /* least independent part of a row of G, of that row, at the last matrix */
+    int known;              /* the factors are of this phase */
+    int fresh;              /* nothing is known of how well they serve */
+    int sparse;             /* there are many unknowns: ida_sparse.c */
+    double *scale;          /* [nq + nconstraint] of the unknowns of `system` */
+    double *work;           /* scratch of a solution */
+    double *force;          /* [nq] f + H^T lambda but for inner reactions */
+    pm_action_slope *slope; /* scratch of ida_slopes.c */
+    int has_forces;         /* some force may depend on positions */
+    int has_damping;        /* and some on velocities */
 } pm_ida_jacobian;
 
 /* How far rounding moves each unknown. */
@@ -114,6 +118,18 @@ void pm_ida_system_weights(const pm_model *model, const pm_ida *r, const double 
 int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *m);
 /* All blocks at (t, y, y'). */
 void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp);
+
+/* ---- ida_slopes.c ---- */
+/* d f/dq and d f/dv at the frame, added to stiffness and damping (not yet times M^-1), and the columns of `ledger` for the
+ * work of forces, paths and the turning plane. */
+void pm_ida_slopes_forces(pm_workspace *w);
+/* The derivatives of the work of sliding contacts, drives and the turning plane by reactions. */
+void pm_ida_slopes_power(pm_workspace *w);
+/* What a force of `size` along an evaluated constraint makes of the integral z of its power; turn: how the rate of the
+ * constraint changes with positions. */
+void pm_ida_slopes_rub(pm_workspace *w, int z, const pm_constraint *c, const double turn[6], double size);
+/* The columns for the momentum of the scene, from all that is in h, force, stiffness and damping before these are times M^-1. */
+void pm_ida_slopes_momentum(pm_workspace *w);
 
 /* ---- ida_linear.c ---- */
 /* Inverts the blocks of w->ida->jacobian; PM_SINGULAR if the constraints depend on each other, PM_SOLVER if the

@@ -1,17 +1,17 @@
 /* ida_jacobian.c - derivatives of the system of ida_system.c.
  *
- * Constraints give G, H and dz'/dlambda as they are.  Differences give M^-1 d(f + H^T lambda)/dq (stiffness of
- * springs and of the geometry), M^-1 df/dv where some force may depend on velocities, and d(G v)/dq.  Left
- * out, because Newton's iteration does not need them: d(M^-1 G^T Mu')/dq, where Mu' is small, and dz'/dq,
- * dz'/dv of what is not stiff. */
+ * Constraints give G, H and dz'/dlambda as they are, and by their second derivatives what positions make of G v and of the
+ * directions of reactions; forces M^-1 df/dq and M^-1 df/dv (ida_slopes.c).  Nothing is a difference but what a force reads of a
+ * measure that has no derivative in closed form.  Left out, because Newton's iteration does not need them: d(M^-1 G^T Mu')/dq,
+ * where Mu' is small, d/dz of forces that read an integral, and dz'/dq, dz'/dv where no force depends on them. */
 #include "routes/ida/ida.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "elements/constraint.h"
 #include "elements/force.h"
+#include "elements/force_action_slope.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "equations/ledger.h"
@@ -20,29 +20,9 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-/* What the differences are taken from, in the scratch of the blocks. */
-typedef struct pm_ida_differences {
-    double *y;                   /* [2 nq + nz] moved in one coordinate at a time */
-    double *force, *force_moved; /* [nq] M^-1 (f + H^T lambda) */
-    double *rate, *rate_moved;   /* [nconstraint] G v */
-    double *z, *z_moved;         /* [nz] */
-} pm_ida_differences;
-
-static size_t work_size(const pm_model *m) /* as much as ida_linear.c needs, too */
+static size_t work_size(const pm_model *m) /* as much as ida_linear.c needs */
 {
     return 5 * (size_t)m->nq + 3 * (size_t)m->nz + 3 * (size_t)m->nconstraint;
-}
-
-static pm_ida_differences differences(const pm_model *m, double *work)
-{
-    pm_ida_differences d = {.y = work};
-    d.force = d.y + 2 * m->nq + m->nz;
-    d.force_moved = d.force + m->nq;
-    d.rate = d.force_moved + m->nq;
-    d.rate_moved = d.rate + m->nconstraint;
-    d.z = d.rate_moved + m->nconstraint;
-    d.z_moved = d.z + m->nz;
-    return d;
 }
 
 static int has_damping(const pm_model *m)
@@ -71,12 +51,14 @@ int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *
         PM_ARRAY(x->system, both * both),
         PM_ARRAY(x->scale, both),
         PM_ARRAY(x->work, work_size(m)),
+        PM_ARRAY(x->force, nq),
         PM_ARRAY(x->pivot, both),
         PM_ARRAY(x->bending, nq),
     };
     x->has_forces = m->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_turns(m);
     x->has_damping = has_damping(m);
-    return pm_arena_take(arena, PM_ARRAYS(array));
+    if (pm_arena_take(arena, PM_ARRAYS(array)) || PM_ARENA_NEW(arena, x->slope)) return PM_NO_MEMORY;
+    return pm_action_slope_create(arena, x->slope, m);
 }
 
 /* A constraint's six numbers on all coordinates. */
@@ -85,16 +67,6 @@ static void spread_out(const pm_model *model, const pm_constraint *c, const doub
     memset(dense, 0, (size_t)model->nq * sizeof *dense);
     for (int p = 0; p < 2; p++)
         for (int k = 0; k < 3 && c->body[p] != model->nbody; k++) dense[3 * c->body[p] + k] += six[3 * p + k];
-}
-
-/* M^-1 (f + H^T lambda) and G v at the frame, lambda as there. */
-static void force_and_rate(pm_workspace *w, const double *v, double *force, double *rate)
-{
-    for (int i = 0; i < w->model->nq; i++) force[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
-    memcpy(w->saddle.rhs, w->frame.lambda, (size_t)w->active.n * sizeof(double));
-    pm_saddle_spread(&w->saddle, 1, force);
-    for (int i = 0; i < w->active.n; i++)
-        rate[i] = pm_constraint_times(&w->frame, &w->active.constraint[i], v);
 }
 
 static void constraints(const pm_model *model, pm_active_set *active, pm_ida_jacobian *x)
@@ -107,106 +79,133 @@ static void constraints(const pm_model *model, pm_active_set *active, pm_ida_jac
     }
 }
 
-/* Moves *y by a small step of its scale; returns the step as a difference of two numbers. */
-static double move(double *y, double scale)
+/* d(j^T reaction)/dq of one constraint, in stiffness. */
+static void add_bend(const pm_model *m, pm_ida_jacobian *x, const pm_constraint *c, double bend[6][6],
+                     double reaction)
 {
-    const double old = *y;
-    volatile double moved = old + sqrt(DBL_EPSILON) * fmax(scale, fabs(old));
-    *y = moved;
-    return moved - old;
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 6; k++) {
+            const int row = c->body[i / 3], column = c->body[k / 3];
+            if (row == m->nbody || column == m->nbody) continue;
+            x->stiffness[(3 * row + i % 3) * m->nq + 3 * column + k % 3] += reaction * bend[i][k];
+        }
 }
 
-/* Sliding friction of joints leans the direction of the reactions that it goes with: df/dlambda, by differences. */
-static void friction(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d)
+/* Reactions turn with their constraints, and so do the rates G v: those of constraints between two bodies of the scene (inner)
+ * or those of the others. */
+static void bends(pm_workspace *w, pm_ida_jacobian *x, const double *v, int inner)
+{
+    const pm_model *m = w->model;
+    double bend[6][6], turn[6];
+    for (int i = 0; i < w->active.n; i++) {
+        const pm_constraint *c = &w->active.constraint[i];
+        if (pm_constraint_is_inner(&w->numbers, c) != inner) continue;
+        pm_constraint_bend(&w->frame, c, bend);
+        pm_constraint_bend_along(&w->frame, c, bend, v, turn);
+        spread_out(m, c, turn, x->gv_slope + i * m->nq);
+        add_bend(m, x, c, bend, w->frame.lambda[i]);
+    }
+    if (!w->active.asymmetric) return;
+    for (int i = w->active.n; w->active.constraint[i].normal != PM_NONE;
+         i++) { /* carried by sliding normals */
+        const pm_constraint *c = &w->active.constraint[i], *normal = &w->active.constraint[c->normal];
+        if (pm_constraint_is_inner(&w->numbers, c) != inner) continue;
+        pm_constraint_bend(&w->frame, c, bend);
+        pm_constraint_bend_along(&w->frame, c, bend, v, turn);
+        add_bend(m, x, c, bend, normal->slide * w->frame.lambda[c->normal]);
+        pm_ida_slopes_rub(w, pm_ledger_power(m), c, turn, normal->slide * w->frame.lambda[c->normal]);
+    }
+}
+
+/* Friction of a joint that goes with the load leans the direction of the reactions: |F| = F0 + c |R| has the derivative
+ * c R / |R| by their components. */
+static void lean(pm_workspace *w, pm_ida_jacobian *x, int k, const pm_constraint *c, double size)
+{
+    const int z = w->model->force_z[w->model->friction_force[k]];
+    double load[2];
+    int place[2];
+    const int n = pm_joint_friction_places(w, k, place);
+    pm_joint_friction_loads(w, k, w->frame.lambda, load);
+    const double all = hypot(load[0], load[1]), by_load = pm_joint_friction_coefficient(&w->frame, k);
+    for (int i = 0; i < n && all > 0; i++) {
+        const double share = (size > 0 ? by_load : -by_load) * load[i] / all;
+        if (place[i] < 0) continue; /* a reaction that is shared */
+        if (z != PM_NONE) x->ledger[place[i] * w->model->nz + z] += share * pm_constraint_slip(&w->frame, c);
+        for (int p = 0; p < 6; p++)
+            if (c->body[p / 3] != w->model->nbody)
+                x->h[place[i] * w->model->nq + 3 * c->body[p / 3] + p % 3] += share * c->j[p];
+    }
+}
+
+/* While it slides it acts along a constraint. */
+static void joint_friction(pm_workspace *w, pm_ida_jacobian *x, const double *v)
+{
+    const pm_model *m = w->model;
+    double bend[6][6], turn[6];
+    for (int k = 0; k < m->nfriction; k++) {
+        pm_constraint c;
+        const int force = m->friction_force[k],
+                  absent = pm_state_is_absent(m, &w->state, PM_TABLE_FORCE, force);
+        const double size = absent ? 0 : pm_joint_friction_sliding(w, k);
+        if (size == 0) continue;
+        pm_joint_friction_constraint(&w->frame, k, &c);
+        pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
+        pm_constraint_bend(&w->frame, &c, bend);
+        pm_constraint_bend_along(&w->frame, &c, bend, v, turn);
+        add_bend(m, x, &c, bend, size);
+        lean(w, x, k, &c, size);
+        if (m->force_z[force] != PM_NONE) pm_ida_slopes_rub(w, m->force_z[force], &c, turn, size);
+    }
+}
+
+/* f + H^T lambda but for reactions between two bodies of the scene. */
+static void outer_forces(const pm_workspace *w, pm_ida_jacobian *x)
 {
     const int nq = w->model->nq;
-    double *lambda = w->frame.lambda, most = 1;
-    if (!pm_joint_friction_by_load(&w->frame, &w->state)) return;
-    memcpy(d->force, w->frame.f, (size_t)nq * sizeof *d->force);
-    for (int k = 0; k < w->active.n; k++) most = fmax(most, fabs(lambda[k]));
-    for (int k = 0; k < w->active.n; k++) {
-        const double old = lambda[k];
-        if (w->active.constraint[k].joint == PM_NONE) continue;
-        const double step = move(&lambda[k], most);
-        pm_joint_friction_update(w);
-        pm_force_all(w);
-        lambda[k] = old;
-        for (int i = 0; i < nq; i++) x->h[k * nq + i] += (w->frame.f[i] - d->force[i]) / step;
-    }
-    pm_joint_friction_update(w);
-    pm_force_all(w);
-}
-
-/* One column of the derivatives of z', from the rates at the frame. */
-static void ledger_column(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d, int column,
-                          double step)
-{
-    const int nz = w->model->nz;
-    pm_ledger_rates(w, d->z_moved);
-    for (int i = 0; i < nz; i++) x->ledger[column * nz + i] = (d->z_moved[i] - d->z[i]) / step;
-}
-
-/* dz'/dlambda: the rates are linear in the reactions. */
-static void ledger(pm_workspace *w, pm_ida_jacobian *x, const pm_ida_differences *d)
-{
-    pm_ledger_rates(w, d->z);
-    for (int k = 0; k < w->active.n; k++) {
-        const double old = w->frame.lambda[k], step = fmax(1, fabs(old));
-        w->frame.lambda[k] = old + step;
-        ledger_column(w, x, d, k, step);
-        w->frame.lambda[k] = old;
+    memcpy(x->force, w->frame.f, (size_t)nq * sizeof *x->force);
+    for (int i = 0; i < w->active.n; i++) {
+        const pm_constraint *c = &w->active.constraint[i];
+        const double *h = w->active.asymmetric ? c->h : c->j;
+        if (pm_constraint_is_inner(&w->numbers, c)) continue;
+        for (int k = 0; k < 6; k++)
+            if (c->body[k / 3] != w->model->nbody)
+                x->force[3 * c->body[k / 3] + k % 3] += w->frame.lambda[i] * h[k];
     }
 }
 
-static void velocities(pm_workspace *w, pm_ida_jacobian *x, double t, const pm_ida_differences *d)
+static void by_mass(const pm_workspace *w, double *slope)
 {
     const int nq = w->model->nq;
-    double *v = d->y + nq;
-    memcpy(d->force, w->frame.f, (size_t)nq * sizeof *d->force);
-    for (int k = 0; k < nq; k++) {
-        const double old = v[k],
-                     step = move(&v[k], k % 3 == 2 ? w->numbers.speed / w->numbers.size : w->numbers.speed);
-        pm_frame_look(&w->frame, t, d->y, v, v + nq, w->state.memory);
-        pm_force_all(w);
-        v[k] = old;
-        for (int i = 0; i < nq; i++)
-            x->damping[i * nq + k] = w->numbers.inverse_mass[i] * (w->frame.f[i] - d->force[i]) / step;
-        ledger_column(w, x, d, w->model->nconstraint + nq + k, step);
-    }
+    for (int i = 0; i < nq; i++)
+        for (int k = 0; k < nq; k++) slope[i * nq + k] *= w->numbers.inverse_mass[i];
 }
 
-static void positions(pm_workspace *w, pm_ida_jacobian *x, double t, const double *yp,
-                      const pm_ida_differences *d)
+static void clear(const pm_model *m, pm_ida_jacobian *x)
 {
-    const int nq = w->model->nq;
-    pm_ida_system_look(w, t, d->y, yp);
-    force_and_rate(w, d->y + nq, d->force, d->rate);
-    for (int k = 0; k < nq; k++) {
-        const double old = d->y[k], step = move(&d->y[k], k % 3 == 2 ? 1 : w->numbers.size);
-        pm_ida_system_look(w, t, d->y, yp);
-        force_and_rate(w, d->y + nq, d->force_moved, d->rate_moved);
-        d->y[k] = old;
-        for (int i = 0; i < nq; i++) x->stiffness[i * nq + k] = (d->force_moved[i] - d->force[i]) / step;
-        for (int i = 0; i < w->active.n; i++)
-            x->gv_slope[i * nq + k] = (d->rate_moved[i] - d->rate[i]) / step;
-        if (x->has_forces) ledger_column(w, x, d, w->model->nconstraint + k, step);
-    }
+    const size_t nq = (size_t)m->nq, nz = (size_t)m->nz;
+    memset(x->stiffness, 0, nq * nq * sizeof(double));
+    memset(x->damping, 0, nq * nq * sizeof(double));
+    memset(x->ledger, 0, nz * ((size_t)m->nconstraint + 2 * nq) * sizeof(double));
 }
 
 void pm_ida_jacobian_evaluate(pm_workspace *w, double t, double cj, const double *y, const double *yp)
 {
     const pm_model *m = w->model;
     pm_ida_jacobian *x = &w->ida->jacobian;
-    const pm_ida_differences d = differences(m, x->work);
-    memcpy(d.y, y, (size_t)(2 * m->nq + m->nz) * sizeof *y);
     x->nactive = w->active.n;
     x->cj = cj;
-    pm_ida_system_look(w, t, d.y, yp);
+    pm_ida_system_look(w, t, y, yp);
     if (x->sparse) x->independence = pm_saddle_independence(&w->saddle);
-    constraints(w->model, &w->active, x);
-    friction(w, x, &d);
-    ledger(w, x, &d);
-    if (x->has_damping) velocities(w, x, t, &d);
-    positions(w, x, t, yp, &d);
+    clear(m, x);
+    constraints(m, &w->active, x);
+    bends(w, x, y + m->nq, 0);
+    joint_friction(w, x, y + m->nq);
+    pm_ida_slopes_forces(w);
+    pm_ida_slopes_power(w);
+    outer_forces(w, x);
+    pm_ida_slopes_momentum(w);
+    bends(w, x, y + m->nq, 1); /* they leave the momentum of the scene as it is */
+    by_mass(w, x->stiffness);
+    if (x->has_damping) by_mass(w, x->damping);
     pm_ida_rounding_find(w, y, x->gv_slope);
 }
