@@ -533,10 +533,10 @@ FAULTS = [
         "add_way(frame, &p, &o, (double[]){0, 0}, to);",
     ),
     Fault(
-        "measure: differences on one side only",
+        "measure: differences over half their way",
         "elements/measure.c",
-        "q[k] = side == 0 ? old - step : old + step;",
-        "q[k] = side == 0 ? old : old + step;",
+        "weight * (at[1] - at[0]) / (2 * step)",
+        "weight * (at[1] - at[0]) / step",
     ),
     Fault(
         "constraint: second derivatives with the sign of what bends",
@@ -547,7 +547,7 @@ FAULTS = [
     Fault(
         "turning plane: centrifugal forces as if its rate stayed",
         "elements/turning_plane.c",
-        "-= square * own[p / 3] * other[p % 3] / inertia",
-        "-= 0 * square * own[p / 3] * other[p % 3] / inertia",
+        "square * own[p / 3] * other[p % 3] / inertia",
+        "0 * square * own[p / 3] * other[p % 3] / inertia",
     ),
 ]

@@ -132,7 +132,7 @@ FAULTS = [
     Fault(
         "program: every reading of a measure counts for each",
         "expression/program_rate.c",
-        "x->next == at->next ? sign : 0",
-        "sign",
+        "if (x->next != at->next) return",
+        "if (x->next == NULL) return",
     ),
 ]

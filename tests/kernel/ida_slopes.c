@@ -1,10 +1,10 @@
 /* The blocks of ida's Newton matrix on random scenes with every kind of force, each program reading measures of every kind, against
- * differences of what they are derivatives of, extrapolated twice (Richardson), and the rule that nothing else is differenced:
- * measures that forces may read have derivatives in closed form. */
+ * differences of what they are derivatives of, extrapolated twice (Richardson). */
 #include "check.h"
 #include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/measure.h"
+#include "elements/slope.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "routes/ida/ida.h"
@@ -151,7 +151,7 @@ static int measure(scene *s, const marks *x, int n)
     case 30: row = scene_measure(s, PM_MEASURE_FORCE_ENERGY, one_of(2) ? x->spring : x->torsion); break;
     case 31: row = scene_measure(s, PM_MEASURE_FORCE_WORK, one_of(2) ? x->spring : x->torsion); break;
     case 32: row = scene_measure(s, PM_MEASURE_POTENTIAL, PM_NONE); break;
-    case 33: row = scene_measure(s, PM_MEASURE_CONTACT_GAP, x->apart); break; /* it has no closed form */
+    case 33: row = scene_measure(s, PM_MEASURE_CONTACT_GAP, x->apart); break;
     case 34: row = scene_measure(s, x->turns ? PM_MEASURE_SPIN_OMEGA : PM_MEASURE_TIME, PM_NONE); break;
     case 35: row = scene_measure(s, x->turns ? PM_MEASURE_SPIN_INERTIA : PM_MEASURE_TIME, PM_NONE); break;
     default: row = scene_measure(s, PM_MEASURE_TOTAL, PM_NONE);
@@ -368,8 +368,32 @@ static void program_without_derivative(void)
     scene_free(s);
 }
 
+/* Accelerations have no derivative in closed form: with those of the body as they are, a_x - alpha r_y - omega^2 r_x. */
+static void measure_without_derivative(void)
+{
+    scene *s = scene_create();
+    const int body = scene_body(s, 1, 0.2, 0.3, 0, 0), point = scene_point(s, body, 0.4, 0.7);
+    const int read = scene_part(s, PM_MEASURE_ACCELERATION, point, PM_PART_X);
+    scene_couple(s, body, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, 0.5)));
+    scene_start_omega(s, body, 1.5);
+    if (EQUAL(scene_begin(s), PM_OK)) {
+        pm_slope slope;
+        pm_arena arena = {NULL};
+        EQUAL(pm_slope_create(&arena, &slope, s->w->model), PM_OK);
+        CHECK(pm_measure_moves(s->w->model, read));
+        pm_measure_slope(s->w, read, 2, &slope);
+        NEAR(slope.v[2], 2 * -2 * 1.5 * 0.4, 1e-8);
+        NEAR(slope.q[2], 2 * (1.5 * 1.5 * 0.7 - 2.5 * 0.4), 1e-8);
+        NEAR(slope.q[0], 0, 1e-8);
+        EQUAL(s->w->frame.level, PM_LEVEL_DYNAMIC);
+        pm_arena_free(&arena);
+    }
+    scene_free(s);
+}
+
 int main(void)
 {
+    measure_without_derivative();
     program_without_derivative();
     for (int i = 0; i < ROUNDS; i++) random_scene(i);
     return check_failures();
