@@ -96,6 +96,7 @@ typedef struct pm_tree {
     pm_tree_node *node;        /* [nbody] in the order of placing */
     int *from, *to;      /* [nconstraint] of each loop: the coordinates that L^-1 J^T has, from .. to - 1 */
     int *first_loop;     /* [nconstraint] the first loop constraint that shares some of them */
+    int whole;           /* accelerations come cheaper from all constraints than from the coordinates (saddle.h) */
     unsigned char *used; /* [nconstraint] */
     int *placed;         /* [nbody] 1 + index of its node */
     int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */

@@ -128,7 +128,7 @@ static void assemble(pm_workspace *w, double *x)
     add_forces(&w->frame, w->tree, 1, x);
 }
 
-/* Where a contact or a joint slides its friction depends on reactions: the whole system. */
+/* Where a contact or a joint slides its friction depends on reactions, and where there are many bodies: the whole system. */
 static int accelerate_all(pm_workspace *w, double *yddot)
 {
     const int status = pm_saddle_accelerate(w);
@@ -167,7 +167,8 @@ static int solve(pm_workspace *w, double *yddot)
 
 int pm_tree_accelerate(pm_workspace *w, double *yddot)
 {
-    if (w->active.asymmetric || w->numbers.massless || pm_joint_friction_by_load(&w->frame, &w->state))
+    if (w->tree->whole || w->active.asymmetric || w->numbers.massless ||
+        pm_joint_friction_by_load(&w->frame, &w->state))
         return accelerate_all(w, yddot);
     if (w->tree->part.few) return pm_tree_accelerate_few(w, yddot);
     if (w->tree->augmented.on) pm_tree_augmented_read(&w->frame, w->tree);
