@@ -94,9 +94,9 @@ typedef struct pm_tree {
     int *loop;                 /* [nconstraint] their places in w->active.constraint */
     int *kind;                 /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
     pm_tree_node *node;        /* [nbody] in the order of placing */
-    int *from, *to;      /* [nconstraint] of each loop: the coordinates that L^-1 J^T has, from .. to - 1 */
-    int *first_loop;     /* [nconstraint] the first loop constraint that shares some of them */
-    int whole;           /* accelerations come cheaper from all constraints than from the coordinates (saddle.h) */
+    int *from, *to;  /* [nconstraint] of each loop: the coordinates that L^-1 J^T has, from .. to - 1 */
+    int *first_loop; /* [nconstraint] the first loop constraint that shares some of them */
+    int whole; /* accelerations come cheaper from all constraints than from the coordinates (saddle.h) */
     unsigned char *used; /* [nconstraint] */
     int *placed;         /* [nbody] 1 + index of its node */
     int *weight, *top;   /* [nbody] coordinates of a node and of all that it carries; scratch */

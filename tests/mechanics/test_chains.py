@@ -52,6 +52,18 @@ def test_a_chain_of_n_links_moves_as_its_equations_say(n: int, route: str) -> No
     assert found["tip"] == pytest.approx(0.5 * np.sin(wanted).sum(), abs=1e-9 if route != "ida" else 1e-7)
 
 
+@pytest.mark.parametrize("n", [50, 80])
+def test_a_chain_of_many_links_moves_as_its_equations_say(n: int) -> None:
+    """In its own coordinates, and by all its constraints together: the longer one."""
+    text = CHAIN.replace("t = 0.6 s", "t = 0.02 s")
+    found: Any = pm.load_text(text).with_values({"n": n, "solve.route": "rk"}).run()
+    wanted = angles(n, 0.02)
+    for i in range(n):
+        assert found[f"angle[{i + 1}]"] == pytest.approx(wanted[i], abs=1e-9)
+        error = found.asks[f"angle[{i + 1}]"].error
+        assert abs(found[f"angle[{i + 1}]"] - wanted[i]) <= 3 * error + 1e-11
+
+
 def test_the_study_of_a_falling_chain_begins_with_the_rod_of_the_textbooks() -> None:
     found = pm.load(STUDIES / "falling_chain.toml").sweep()
     assert found["n"].values.tolist() == [1, 2, 3, 4, 5, 6, 8]
