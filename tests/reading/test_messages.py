@@ -157,7 +157,7 @@ FAULTS = [
     ),
     (
         'ask.a = { of = "AB.omega", at = "before t = 0.1 s" }',
-        'a condition gets a name: events.NAME = "t = 0.1 s", then at = "NAME"',
+        'a condition gets a name: events.NAME = "t = 0.1 s", then at = "before NAME"',
     ),
     ('ask.a = "2*b"\nask.b = "2*a"', "ask.a: it reads itself: a reads b reads a"),
     ('ask.a = { max = "AB.omega" }\nask.b = { min = "a" }', 'ask.b.min = "a": "a" is an ask'),

@@ -266,7 +266,8 @@ class Asks:
             word = (name.split() or [""])[0]
             known = [*self.events, "end"]
             when = f"{name} strikes" if name in self.measures.scope.contacts else name
-            example = f'; a condition gets a name: events.NAME = "{when}", then at = "NAME"'
+            then = f"{first} NAME" if before or each else "NAME"
+            example = f'; a condition gets a name: events.NAME = "{when}", then at = "{then}"'
             hint = "" if nearest(word, known) else example
             raise SceneError(unknown(word, known, "instant") + hint, path=where, value=at)
         event, nth = found

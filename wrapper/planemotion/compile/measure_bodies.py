@@ -69,7 +69,7 @@ class BodyMeasures:
         if path[0] not in marks.points:
             quantities = (*words.POINT_QUANTITIES, *(words.BODY_QUANTITIES if owner != GROUND else ()))
             guess = nearest(path[0], [*marks.points, *quantities])
-            hint = f' (did you mean "{guess}"?)' if guess else ""
+            hint = f' (did you mean "{guess}"?)' if guess else f"; quantities are {', '.join(quantities)}"
             raise SceneError(marks.has_no("point or quantity", path[0], marks.points) + hint)
         if len(path) < 2 or path[1] not in words.POINT_QUANTITIES:
             word = path[1] if len(path) > 1 else ""

@@ -7,7 +7,7 @@ composed of the components that the kernel does have.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .. import _layout as layout
 from ..base.errors import SceneError
@@ -88,7 +88,11 @@ class MeasureRows:
         if len(rest) > 1 or (rest and rest[0] not in words.PARTS):
             raise SceneError(f'"{address}": {words.unknown(rest[-1], words.PARTS, "part")}')
         if bool(rest) == (address.along is not None):
-            raise SceneError(f'"{address}": a part is wanted: {", ".join(words.PARTS)}, or along a direction')
+            example = (
+                "" if rest else f', such as "{replace(address, path=(*address.path, "norm"), along=None)}"'
+            )
+            parts = f"{', '.join(words.PARTS)}, or along a direction"
+            raise SceneError(f'"{address}": a part is wanted: {parts}{example}')
         part = rest[0] if rest else "along"
         result = DIMENSIONLESS if part == "angle" else found
         # The kernel sees positions and velocities from a moving body; forces only have to be turned.

@@ -77,13 +77,13 @@ def _pair(written: Any, polar: bool) -> Vector:
     return Vector(read_value(written[0]), read_value(written[1]), polar)
 
 
-def read_names(count: int, what: str) -> Callable[[Any], tuple[str, ...]]:
-    """A reader of `count` names; `what` they are, for the message."""
+def read_names(count: int, what: str, example: str = "") -> Callable[[Any], tuple[str, ...]]:
+    """A reader of `count` names; `what` they are, and how they are written, for the message."""
 
     def read(written: Any) -> tuple[str, ...]:
         is_list = isinstance(written, list | tuple)
         if not is_list or len(written) != count or not all(isinstance(name, str) for name in written):
-            raise ValueError(f"{what} are wanted")
+            raise ValueError(f"{what} are wanted" + (f", such as {example}" if example else ""))
         return tuple(written)
 
     return read

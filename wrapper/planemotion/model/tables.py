@@ -129,8 +129,11 @@ class Spin(Table):
     couple: Number | None = None
 
 
+_ENDS = read_names(2, "the names of two ends", 'rod = ["A", "B"], and length = "1 m" beside it')
+
+
 class Body(Table):
-    rod: Annotated[tuple[str, ...], BeforeValidator(read_names(2, "the names of two ends"))] | None = None
+    rod: Annotated[tuple[str, ...], BeforeValidator(_ENDS)] | None = None
     disk: Number | None = None
     cylinder: Number | None = None
     hoop: Number | None = None
