@@ -99,7 +99,8 @@ enum pm_contact_kind {
     PM_CONTACT_SEGMENT = 5,
     PM_CONTACT_TEETH = 6, /* one flank of toothed wheels a, b with backlash; see the columns */
     PM_CONTACT_RACK = 7,  /* one flank of wheel a and the rack on line b, likewise */
-    PM_CONTACT_KINDS = 8
+    PM_CONTACT_CURVE = 8, /* circle a (radius 0: a point) against curve b, and its ends where it is open */
+    PM_CONTACT_KINDS = 9
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
 /* What becomes of a pair that touches and does not part (two points: that meet). */

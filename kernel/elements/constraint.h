@@ -21,6 +21,7 @@ struct pm_constraint {
     int flank;                 /* of teeth: 1, -1, or 0: the one that is loaded now (teeth.h) */
     int memory;                /* index of the memory of its anchor, or PM_NONE */
     int curve, foot;           /* of constraints on curves: which, and the memory of its foot; or PM_NONE */
+    double near;               /* without that memory: s of a place near the foot */
     int joint, slot;           /* owner: one of both is PM_NONE */
     int normal; /* sliding constraints and friction: index of the active constraint of its normal, else PM_NONE */
     double slide;   /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
@@ -226,6 +227,10 @@ void pm_constraint_marks_radii(pm_constraint *c, double radius_a, double radius_
 double pm_constraint_strand_left(const pm_frame *frame, const pm_constraint *c, double *approach);
 /* A point and a curve. */
 void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int point, int curve);
+/* A circle and a curve. */
+void pm_constraint_marks_circle_and_curve(const pm_frame *frame, pm_constraint *c, int circle, int curve);
+/* The s of the foot of a constraint on a curve. */
+double pm_constraint_curve_foot(const pm_frame *frame, const pm_constraint *c);
 /* How far the foot of a constraint on a curve is from the nearer end, m (curve.h). */
 double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */

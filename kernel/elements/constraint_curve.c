@@ -38,6 +38,12 @@ static void into_axes(const double *pose, const double d[2], double x[2])
     x[1] = -pose[4] * d[0] + pose[3] * d[1];
 }
 
+/* Where the search for the foot begins. */
+static double begin_of(const pm_frame *frame, const pm_constraint *c)
+{
+    return c->foot == PM_NONE ? c->near : frame->memory[c->foot].foot;
+}
+
 static pm_curve_look look_from(const pm_frame *frame, const pm_constraint *c, const pm_marks *m, int anywhere)
 {
     const double *pose = frame->pose + 5 * c->body[1];
@@ -45,7 +51,7 @@ static pm_curve_look look_from(const pm_frame *frame, const pm_constraint *c, co
     pm_curve_look l;
     into_axes(pose, m->d, x);
     l.foot = anywhere ? pm_curve_nearest(frame, c->curve, x, &l.height)
-                      : pm_curve_foot(frame, c->curve, x, frame->memory[c->foot].direction, &l.height);
+                      : pm_curve_foot(frame, c->curve, x, begin_of(frame, c), &l.height);
     into_scene(pose, l.foot.t, l.t);
     into_scene(pose, l.foot.n, l.n);
     l.along = pm_dot(m->u, l.t) + m->omega_b * pm_dot(m->d, l.n);
@@ -117,7 +123,7 @@ static void remember_tangent(const pm_frame *frame, const pm_constraint *c, pm_m
 static void remember_foot(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
     const pm_marks m = pm_constraint_marks(frame, c);
-    memory->direction = look_from(frame, c, &m, anchor_too).foot.s;
+    memory->foot = look_from(frame, c, &m, anchor_too).foot.s;
 }
 
 static void act_along(const pm_frame *frame, const pm_constraint *c, int across, pm_line_of_action *x)
@@ -139,6 +145,12 @@ static void act_normal(const pm_frame *frame, const pm_constraint *c, pm_line_of
 static void act_tangent(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
 {
     act_along(frame, c, 0, x);
+}
+
+double pm_constraint_curve_foot(const pm_frame *frame, const pm_constraint *c)
+{
+    const pm_marks m = pm_constraint_marks(frame, c);
+    return look(frame, c, &m).foot.s;
 }
 
 double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c)

@@ -70,6 +70,13 @@ void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int poin
     c->curve = curve;
 }
 
+void pm_constraint_marks_circle_and_curve(const pm_frame *frame, pm_constraint *c, int circle, int curve)
+{
+    const int32_t *e = PM_CIRCLE_ROW(frame->model, circle);
+    pm_constraint_marks_curve(frame, c, e[PM_CIRCLE_POINT], curve);
+    c->radius_a = frame->numbers->value[e[PM_CIRCLE_RADIUS]];
+}
+
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b)

@@ -6,6 +6,7 @@
 
 #include "elements/capture.h"
 #include "elements/constraint.h"
+#include "elements/contact_curve.h"
 #include "elements/edge.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -36,7 +37,7 @@ int pm_contact_is_pattern(const pm_model *m, int contact)
 
 int pm_contact_slots(const pm_model *m, int contact)
 {
-    return pm_contact_is_pattern(m, contact) ? PM_PATTERN_SLOTS : 1;
+    return pm_contact_is_pattern(m, contact) || pm_contact_curve_is(m, contact) ? PM_PATTERN_SLOTS : 1;
 }
 
 int pm_contact_of_slot(const pm_model *m, int slot)
@@ -95,7 +96,8 @@ int pm_contact_is_cord(const pm_model *m, int contact)
 
 int pm_contact_has_flank(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] >= PM_CONTACT_TEETH;
+    const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
+    return kind == PM_CONTACT_TEETH || kind == PM_CONTACT_RACK;
 }
 
 int pm_contact_measures_itself(const pm_model *m, int contact)
@@ -368,6 +370,7 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     *member = 0;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) return pattern_gap(frame, s, contact, member);
+    if (pm_contact_curve_is(frame->model, contact)) return pm_contact_curve_gap(frame, s, contact, member);
     if (is_closed(frame, s, contact, 0)) return INFINITY;
     if (!pm_edge_is(frame->model, contact)) return pm_contact_member_gap(frame, contact, 0, 0);
     return pm_edge_is_covered(frame, s, contact) ? INFINITY : pm_edge_gap(frame, contact, member);
@@ -376,5 +379,6 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
 int pm_contact_touches(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     if (pm_contact_gap(frame, s, contact, member) > pm_contact_length(frame)) return 0;
+    if (pm_contact_curve_is(frame->model, contact)) return pm_contact_curve_touches(frame, s, contact, member);
     return !pm_edge_is(frame->model, contact) || pm_edge_touches(frame, contact);
 }

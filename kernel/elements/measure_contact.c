@@ -5,6 +5,7 @@
  * captured pair those of the constraints that hold it. */
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/edge.h"
 #include "elements/measure_kinds.h"
 #include "state/workspace.h"
@@ -29,10 +30,11 @@ static int next_slot(const pm_measure_args *x, int slot) { return slot_from(x, s
 
 static int member_of(const pm_measure_args *x, int slot) { return x->w->state.slot[slot].member; }
 
-/* What goes along a segment goes on so round its corners. */
+/* What goes along a segment or a curve goes on so round its corners. */
 static double way(const pm_measure_args *x, int slot)
 {
-    return pm_edge_way(x->w->model, x->a, member_of(x, slot));
+    const int member = member_of(x, slot);
+    return pm_edge_way(x->w->model, x->a, member) * pm_contact_curve_way(x->w->model, x->a, member);
 }
 
 /* ---- where they are ---- */

@@ -9,6 +9,7 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
 #include "equations/dependence.h"
@@ -106,6 +107,12 @@ static double slide_factor(const pm_frame *frame, int contact, int mode)
     return mode == PM_SLIDE_FORWARD ? -mu : mu; /* friction opposes the slip */
 }
 
+/* In a phase the foot on a curve is followed, by the memory of the slot. */
+static void follow_foot(const pm_model *m, int slot, pm_constraint *c)
+{
+    if (c->curve != PM_NONE) c->foot = m->nmemory - m->nslot + slot;
+}
+
 static int append_normals(pm_workspace *w, int *nbasis)
 {
     const pm_slot *slot = w->state.slot;
@@ -114,6 +121,7 @@ static int append_normals(pm_workspace *w, int *nbasis)
         if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
         const int contact = pm_contact_of_slot(w->model, i);
         pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, &normal);
+        follow_foot(w->model, i, &normal);
         if (slides(slot[i].mode)) normal.slide = slide_factor(&w->frame, contact, slot[i].mode);
         w->active.asymmetric |= normal.slide != 0;
         const int status = append(w, &normal, nbasis, &w->active.slot_normal[i]);
@@ -134,6 +142,7 @@ static int append_tangents(pm_workspace *w, int *nbasis)
             pm_contact_constraint_both(&w->frame, contact, i, slot[i].member, &normal, &tangent);
         else
             pm_contact_constraint_tangent(&w->frame, contact, &w->active.constraint[active], &tangent);
+        follow_foot(w->model, i, &tangent);
         const int status = append(w, &tangent, nbasis, &w->active.slot_tangent[i]);
         if (status) return status;
     }
@@ -164,6 +173,7 @@ static void append_carried(pm_workspace *w)
         pm_constraint normal, tangent;
         pm_contact_constraint_both(&w->frame, pm_contact_of_slot(m, i), i, w->state.slot[i].member, &normal,
                                    &tangent);
+        follow_foot(m, i, &tangent);
         tangent.normal = w->active.slot_normal[i];
         w->active.constraint[n++] = tangent;
     }
@@ -301,6 +311,9 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
         return;
     }
     pm_contact_constraint_both(frame, contact, slot, s->slot[slot].member, &normal, &tangent);
+    if (normal.curve != PM_NONE)
+        s->memory[frame->model->nmemory - frame->model->nslot + slot].foot =
+            pm_constraint_curve_foot(frame, &normal);
     remember(frame, s, &tangent, 1);
 }
 
@@ -354,10 +367,24 @@ static void follow_slack_cords(const pm_frame *frame, pm_state *s)
     }
 }
 
+/* The members of contacts with curves are those that their feet have come to. */
+static void follow_members(const pm_frame *frame, pm_state *s)
+{
+    const pm_model *m = frame->model;
+    for (int i = 0; i < m->nslot; i++) {
+        const int contact = pm_contact_of_slot(m, i);
+        if (s->slot[i].mode == PM_OPEN || !pm_contact_curve_is(m, contact) ||
+            s->slot[i].member > PM_CURVE_NODES)
+            continue;
+        s->slot[i].member = pm_contact_curve_follow(frame, contact, s->memory[m->nmemory - m->nslot + i].foot);
+    }
+}
+
 void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s)
 {
     for (int i = 0; i < active->n; i++) remember(frame, s, &active->constraint[i], 0);
     for (int i = 0; i < active->nredundant; i++) /* they have feet, too */
         if (active->redundant[i].memory == PM_NONE) remember(frame, s, &active->redundant[i], 0);
+    follow_members(frame, s);
     follow_slack_cords(frame, s);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/curve.h"
 #include "elements/force.h"
 #include "elements/joint.h"
@@ -81,7 +82,9 @@ static int check_partners(pm_workspace *w, int contact)
     if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH)
         return check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
                           e[PM_CONTACT_SIDE]);
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || pm_contact_measures_itself(m, contact)) return PM_OK;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CURVE ||
+        pm_contact_measures_itself(m, contact))
+        return PM_OK;
     if (e[PM_CONTACT_KIND] == PM_CONTACT_POINT) {
         radius = pm_max(w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]], radius);
         return radius == 0 ? PM_OK
@@ -265,6 +268,7 @@ int pm_case_begin(pm_workspace *w, const double *param)
     if (!status) status = check_rows(w);
     if (!status) status = check_curves(w);
     if (!status) status = check_elements(w);
+    if (!status) status = pm_contact_curve_begin(w);
     if (status) return status;
     pm_joint_compose(&w->frame);
     pm_contact_compose(&w->frame);

@@ -11,6 +11,7 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "elements/teeth.h"
@@ -133,7 +134,8 @@ static void add_gap(pm_workspace *w, int contact)
     pm_event_function *f = &e->function[e->nfunction];
     add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
         w->numbers.size);
-    f->below = pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact);
+    f->below = (pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact)) ||
+               pm_contact_curve_is_below(&w->frame, &w->state, contact);
     if (pm_contact_is_pattern(w->model, contact)) f->pattern = e->npattern++;
     if (pm_edge_is(w->model, contact) && !f->owned && is_open(w, contact)) f->edge = e->nedge++;
 }
@@ -159,7 +161,7 @@ static void add_contacts(pm_workspace *w)
         add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(&w->phase, w->event, FUNCTION_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
-        if (pm_edge_is(m, pm_contact_of_slot(m, i)))
+        if (pm_edge_is(m, pm_contact_of_slot(m, i)) || pm_contact_curve_ends(m, pm_contact_of_slot(m, i)))
             add(&w->phase, w->event, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
                 w->numbers.size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
@@ -200,25 +202,17 @@ static double contact_stands(pm_workspace *w, const pm_event_function *f)
     return mu * w->frame.lambda[normal] - fabs(w->frame.lambda[tangent]);
 }
 
-static double strand_left(const pm_frame *frame, int slot, double *approach, double *nothing)
+static double gap_from_below(const pm_workspace *w, int contact)
 {
-    pm_constraint c;
-    pm_contact_constraint_normal(frame, pm_contact_of_slot(frame->model, slot), slot, 0, &c);
-    *nothing = PM_STRAND_LEAST * (fabs(c.radius_a) + fabs(c.radius_b));
-    return pm_constraint_strand_left(frame, &c, approach);
+    return pm_edge_is(w->model, contact) ? pm_edge_gap_from_below(&w->frame, contact)
+                                         : pm_contact_curve_gap_from_below(&w->frame, &w->state, contact);
 }
 
-double pm_event_strand_left(const pm_workspace *w, int slot, double *nothing)
+static double room_of(const pm_workspace *w, int slot)
 {
-    double approach;
-    return strand_left(&w->frame, slot, &approach, nothing);
-}
-
-static double strand_approach(const pm_frame *frame, int slot)
-{
-    double approach, nothing;
-    strand_left(frame, slot, &approach, &nothing);
-    return approach;
+    const int contact = pm_contact_of_slot(w->model, slot), member = w->state.slot[slot].member;
+    return pm_edge_is(w->model, contact) ? pm_edge_room(&w->frame, &w->state, contact, member)
+                                         : pm_contact_curve_room(&w->frame, contact, member);
 }
 
 double pm_event_sample(pm_workspace *w, const pm_event_function *f)
@@ -229,7 +223,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(&w->frame, &w->state, f->index, &member);
         if (isinf(gap)) return w->numbers.size; /* nothing left to close */
-        return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap + f->sunk;
+        return f->below ? gap_from_below(w, f->index) : gap + f->sunk;
     }
     case FUNCTION_NORMAL:
     case FUNCTION_STICK: return contact_stands(w, f);
@@ -242,12 +236,10 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
         return isinf(pm_contact_gap(&w->frame, &w->state, f->index, &member))
                    ? w->numbers.size * w->numbers.speed
                    : pm_capture_approach(&w->frame, f->index);
-    case FUNCTION_END:
-        return pm_edge_room(&w->frame, &w->state, pm_contact_of_slot(w->model, f->index),
-                            slot[f->index].member);
+    case FUNCTION_END: return room_of(w, f->index);
     case FUNCTION_FLANK: return pm_teeth_pressed(w, f->index);
     case FUNCTION_TRACK: return pm_track_left(&w->frame, f->index);
-    case FUNCTION_STRAND: return strand_approach(&w->frame, f->index);
+    case FUNCTION_STRAND: return pm_event_strand_approach(&w->frame, f->index);
     case FUNCTION_JOINT_STICK:
         if (w->active.friction_constraint[f->index] < 0) return 1; /* something else holds it, too */
         return pm_joint_friction_limit(w, f->index) -
@@ -345,44 +337,6 @@ int pm_event_contact_change(const pm_event_set *event, int function)
     case FUNCTION_SLIP: return PM_TRIGGER_STICK;
     default: return PM_NONE;
     }
-}
-
-static int strand_ends(pm_workspace *w, int slot)
-{
-    return pm_fail(&w->result, PM_STRAND_ENDS, PM_TABLE_CONTACT, pm_contact_of_slot(w->model, slot),
-                   w->state.t, 0);
-}
-
-/* So short, or nothing is left of it after a few steps like the last. */
-static int is_about_to_end(const pm_workspace *w, int slot)
-{
-    double approach, nothing;
-    const double left = strand_left(&w->frame, slot, &approach, &nothing);
-    const double soon = PM_STRAND_SOON * (w->step.whole_end - w->step.whole_begin);
-    return left < PM_STRAND_NEAR * nothing || (w->phase.route->in_time && left * left < -approach * soon);
-}
-
-int pm_event_explain_strand(pm_workspace *w, int status)
-{
-    if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR && status != PM_AUDIT)
-        return status;
-    pm_frame_look_state(&w->frame, &w->state);
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (w->state.slot[i].mode == PM_OPEN ||
-            !pm_contact_is_cord(w->model, pm_contact_of_slot(w->model, i)))
-            continue;
-        if (is_about_to_end(w, i)) return strand_ends(w, i);
-    }
-    return status;
-}
-
-int pm_event_check_strands(pm_workspace *w)
-{
-    for (int i = 0; i < w->event->nfunction; i++) {
-        const pm_event_function *f = &w->event->function[i];
-        if (w->event->hit[i] && f->kind == FUNCTION_STRAND) return strand_ends(w, f->index);
-    }
-    return PM_OK;
 }
 
 int pm_event_check_unique(pm_workspace *w)

@@ -19,7 +19,7 @@ enum pm_function_kind {
     FUNCTION_STICK,
     FUNCTION_SLIP,
     FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
-    FUNCTION_END,     /* of an edge that something touches */
+    FUNCTION_END,     /* of an edge, or an open curve, that something touches */
     FUNCTION_STRAND, /* of a taut cord: where it is shortest, nothing may be left of it between its circles */
     FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
     FUNCTION_JOINT_SLIP,  /* its slip where it slides */
@@ -121,6 +121,8 @@ int pm_event_create(pm_workspace *w);
 void pm_event_begin(pm_workspace *w);
 /* Length of the strand of a cord, m, and of its circles' radii how much is nothing. */
 double pm_event_strand_left(const pm_workspace *w, int slot, double *nothing);
+/* l l' of it (constraint.h). */
+double pm_event_strand_approach(const pm_frame *frame, int slot);
 /* Where a run failed close to the end of a taut cord's strand that is why: PM_STRAND_ENDS, else `status`. */
 int pm_event_explain_strand(pm_workspace *w, int status);
 /* PM_STRAND_ENDS, where = contact: at this instant a strand has no length left. */

@@ -14,6 +14,7 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/edge.h"
 #include "events/event.h"
 #include "numerics/lanes.h"
@@ -35,6 +36,12 @@ void pm_gap_culling_begin(pm_gap_culling *x, const pm_frame *frame)
         const double at[2] = {frame->numbers->value[p[PM_POINT_X]], frame->numbers->value[p[PM_POINT_Y]]};
         if (body != PM_GROUND) x->radius[body] = pm_max(pm_length(at), x->radius[body]);
     }
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const pm_constraint *c = &frame->numbers->of_contact[i];
+        if (!pm_contact_curve_is(m, i) || c->body[1] == m->nbody) continue;
+        const double far = pm_length(c->b) + frame->numbers->course[c->curve].far;
+        x->radius[c->body[1]] = pm_max(far, x->radius[c->body[1]]);
+    }
 }
 
 static int body_of_circle(const pm_model *m, int circle)
@@ -53,6 +60,9 @@ static int bodies_of(const pm_model *m, int contact, int body[2])
     case PM_CONTACT_LINE: point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT]; break;
     case PM_CONTACT_PATTERN: point = PM_PATTERN_ROW(m, e[PM_CONTACT_B])[PM_PATTERN_POINT]; break;
     case PM_CONTACT_CIRCLE: body[1] = body_of_circle(m, e[PM_CONTACT_B]); return 1;
+    case PM_CONTACT_CURVE:
+        body[1] = pm_model_body_index(m, pm_model_body_of(m, PM_TABLE_CURVE, e[PM_CONTACT_B]));
+        return 1;
     default: return 0;
     }
     return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
@@ -129,6 +139,7 @@ static double through(const pm_model *m, const pm_numbers *numbers, int contact)
                    ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
     case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);
+    case PM_CONTACT_CURVE: return PM_CULLING_EDGE * numbers->course[e[PM_CONTACT_B]].size;
     default: return 0;
     }
 }

@@ -10,6 +10,7 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "elements/teeth.h"
@@ -106,13 +107,21 @@ static int hand_over(pm_workspace *w, int mode, int heir)
     return status;
 }
 
+static int next_member(const pm_workspace *w, int contact, int member, int *heir)
+{
+    *heir = PM_NONE;
+    return pm_contact_curve_is(w->model, contact)
+               ? pm_contact_curve_next(&w->frame, contact, member)
+               : pm_edge_next(&w->frame, &w->state, contact, member, heir);
+}
+
 /* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the
  * tangents there run against each other -, or on to the next edge. */
 static int pass_end(pm_workspace *w, int slot)
 {
     pm_slot *s = &w->state.slot[slot];
     int heir;
-    const int next = pm_edge_next(&w->frame, &w->state, pm_contact_of_slot(w->model, slot), s->member, &heir);
+    const int next = next_member(w, pm_contact_of_slot(w->model, slot), s->member, &heir);
     if (next == PM_NONE) {
         const int mode = s->mode;
         s->mode = PM_OPEN;
@@ -158,11 +167,18 @@ int pm_contact_modes_begin(pm_workspace *w)
     return PM_OK;
 }
 
+/* A foot on a curve goes on from member to member. */
+static int is_same(const pm_model *model, int contact, int a, int b)
+{
+    return a == b || pm_contact_curve_is_same(model, contact, a, b);
+}
+
 int pm_contact_modes_released(const pm_model *model, const pm_instant *instant, int contact, int member)
 {
     const int first = model->contact_slot[contact];
     for (int i = first; i < first + pm_contact_slots(model, contact); i++)
-        if (instant->slot_released[i] && instant->slot_before[i].member == member) return 1;
+        if (instant->slot_released[i] && is_same(model, contact, instant->slot_before[i].member, member))
+            return 1;
     return 0;
 }
 
@@ -208,7 +224,9 @@ static int was_closed_with(const pm_model *model, const pm_slot *slots, int cont
 {
     const int first = model->contact_slot[contact];
     for (int i = first; i < first + pm_contact_slots(model, contact); i++)
-        if (slots[i].mode != PM_OPEN && (slots[i].member == member || pm_edge_is(model, contact))) return i;
+        if (slots[i].mode != PM_OPEN &&
+            (is_same(model, contact, slots[i].member, member) || pm_edge_is(model, contact)))
+            return i;
     return PM_NONE;
 }
 

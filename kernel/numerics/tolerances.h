@@ -72,6 +72,11 @@
 #define PM_CURVE_LAST 1e-5 /* rad: a step after which the foot is exact, since errors square; larger: normals less exact */
 #define PM_CURVE_FOUND 8 /* roundings of a place: a step that gains nothing; larger: feet less exact */
 #define PM_CURVE_SAMPLES 256 /* places at which a whole curve is looked at; fewer: feet on wavy curves are missed, cusps too */
+#define PM_CURVE_NODES 512 /* parts of a curve that contacts touch; fewer: curves with many waves are refused */
+#define PM_CURVE_TURN 0.35 /* rad: turn of the tangent in such a part, so that one foot is in it at most; larger: feet are missed */
+#define PM_CURVE_SAME 1e-5 /* of the parameter's range: feet so near are one; larger: a second one is seen later */
+#define PM_CURVE_STRIDE 16 /* nodes from look to look for a first bound of a distance; more or fewer: slower */
+#define PM_CURVE_BISECTIONS 60 /* of a part in which Newton's method leaves the foot; fewer: less exact */
 #define PM_CURVE_CUSP 1e-6 /* of the mean rate of a curve: a place at which it stops; larger: steep parameters are refused */
 #define PM_CURVE_LENGTH 1e-13 /* of a length along a curve; larger: rolling and sticking drift */
 #define PM_CURVE_HALVINGS 6 /* of a part of a curve whose length is not found at once; fewer: less exact where it is steep */

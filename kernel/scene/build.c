@@ -32,7 +32,9 @@ static void lay_out(pm_model *m)
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW(m, i);
-        const int slots = e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN ? PM_PATTERN_SLOTS : 1;
+        const int several =
+            e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN || e[PM_CONTACT_KIND] == PM_CONTACT_CURVE;
+        const int slots = several ? PM_PATTERN_SLOTS : 1;
         m->nedge += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         m->contact_slot[i] = m->nslot;
         m->nslot += slots;

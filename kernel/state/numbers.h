@@ -30,6 +30,7 @@ typedef struct pm_numbers {
     pm_turning_plane plane;
     struct pm_constraint *of_joint;   /* [njoint_constraint] constraints of all joints (elements/joint.h) */
     struct pm_constraint *of_contact; /* [ncontact] their normal constraints (elements/constraint.h) */
+    struct pm_curve_course *course;   /* [ncurve] of curves that contacts touch (elements/curve_feet.h) */
     double size;                      /* m, length scale of the scene */
     double speed;                     /* m/s, speed scale; grows with the motion */
     double accuracy;                  /* relative, asked of the answers */

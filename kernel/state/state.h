@@ -26,6 +26,7 @@ typedef struct pm_slot {
 typedef struct pm_memory {
     double anchor;
     double direction;
+    double foot; /* s of the place on a curve that a constraint stands on */
     double time; /* up to which the way of a drive is part of the anchor */
 } pm_memory;
 

@@ -11,6 +11,7 @@
 
 #include "elements/capture.h"
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/joint_friction.h"
 #include "equations/case.h"
 #include "equations/projection.h"
@@ -134,6 +135,7 @@ static int prepare(pm_workspace *w)
     pm_constant_motion_curve(w, u->v, u->a, u->rotates, u->locked, &u->curve);
     if (u->curve.levers && (pm_joint_friction_any(w->model) || w->model->nteeth > 0))
         return 0; /* reactions change, and friction with them */
+    if (pm_contact_curve_any(w->model)) return 0;
     if (!pm_uniform_edge_hold(w) || !pm_constraint_all_steady(&w->frame, &w->active, &u->curve) ||
         !pm_force_all_steady(&w->frame, &w->state, &u->curve) || !paths_are_parabolas(w) ||
         pm_capture_awaits(&w->frame, &w->state))

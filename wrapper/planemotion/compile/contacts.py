@@ -1,6 +1,6 @@
 """Contacts: from two marks that may touch to rows of the kernel's contact table.
 
-The kernel wants a circle (of radius 0: a point) first and a line, circle or row second; what is written the
+The kernel wants a circle (of radius 0: a point) first and a line, circle, curve or row second; what is written the
 other way round is exchanged, and `ContactInfo.swapped` tells the measures, which report on the first partner
 as written.  A set of points becomes one row for each member.
 """
@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 from .. import _layout as layout
 from ..base.errors import SceneError
+from ..geometry.curves import CurveMark
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
@@ -69,13 +70,13 @@ class Contacts:
             contact.partners,
             f"{path}.touch",
             lambda text, where, _index: partner(
-                self.drawing, text, where, "circle", "point", "line", "row", "set"
+                self.drawing, text, where, "circle", "point", "line", "curve", "row", "set"
             ),
         )
         for one in (first, second):
             self._check(one)
         a, b = first, second
-        swapped = a.kind in ("line", "row") or b.kind == "set"
+        swapped = a.kind in ("line", "curve", "row") or b.kind == "set"
         if swapped:
             a, b = b, a
         is_set = a.kind == "set"
@@ -126,6 +127,12 @@ class Contacts:
             if b.mark.extent is not None:
                 kind = layout.PM_CONTACT_SEGMENT
                 ends = tuple(self.tables.value(end, b.where) for end in b.mark.extent)
+        elif b.kind == "curve":
+            assert isinstance(b.mark, CurveMark)
+            if contact.capture != "none":
+                reason = "a curve captures nothing: a line, a circle or a point does"
+                raise SceneError(reason, path=f"{path}.capture", value=contact.capture)
+            kind, other = layout.PM_CONTACT_CURVE, self.drawn.curve(b.owner, b.mark, b.mark_path)
         elif b.kind == "row":
             assert isinstance(b.mark, RowMark)
             if a.kind == "point":

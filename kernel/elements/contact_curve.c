@@ -1,0 +1,199 @@
+/* contact_curve.c - a circle (or a point: radius 0) beside a curve.
+ *
+ * At the nearest place of the curve, with the height h over its tangent, beyond an end by o > 0 along that, R the radius:
+ *   within    h - R; behind an open curve, where nothing touches, not below -(way to the nearer end)
+ *   beyond    sqrt(o^2 + h^2) - R, the gap to the end; from behind no more than o
+ * which is what edge.c has of a straight edge.  A circle in a hollow touches at several feet: each closed one is left out where
+ * the next is looked for. */
+#include "elements/contact_curve.h"
+
+#include <math.h>
+
+#include "elements/contact.h"
+#include "state/frame.h"
+
+int pm_contact_curve_is(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CURVE;
+}
+
+int pm_contact_curve_any(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_contact_curve_is(m, i)) return 1;
+    return 0;
+}
+
+static int curve_of(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_B]; }
+
+int pm_contact_curve_ends(const pm_model *m, int contact)
+{
+    return pm_contact_curve_is(m, contact) && !PM_CURVE_ROW(m, curve_of(m, contact))[PM_CURVE_CLOSED];
+}
+
+int pm_contact_curve_begin(pm_workspace *w)
+{
+    int status = PM_OK;
+    for (int i = 0; !status && i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (pm_contact_curve_is(w->model, i)) status = pm_curve_feet_begin(w, curve_of(w->model, i));
+    return status;
+}
+
+/* ---- the nearest place ---- */
+static double radius_of(const pm_frame *frame, int contact)
+{
+    return frame->numbers
+        ->value[PM_CIRCLE_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+}
+
+/* The centre of the circle from the point of the curve, in its axes. */
+static void centre_of(const pm_frame *frame, int contact, double x[2])
+{
+    const pm_constraint *c = &frame->numbers->of_contact[contact];
+    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]),
+                   b = pm_frame_point(frame, c->body[1], c->b[0], c->b[1]);
+    const double *pose = frame->pose + 5 * c->body[1], d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]};
+    x[0] = pose[3] * d[0] + pose[4] * d[1];
+    x[1] = -pose[4] * d[0] + pose[3] * d[1];
+}
+
+static int is_end(int member) { return member > PM_CURVE_NODES; }
+static int end_node(int member) { return member == PM_CURVE_FROM_END ? 0 : PM_CURVE_NODES; }
+
+static double place_of(const pm_frame *frame, int contact, int member)
+{
+    return pm_curve_feet_place(frame, curve_of(frame->model, contact),
+                               is_end(member) ? end_node(member) : member);
+}
+
+static pm_curve_taken taken_of(const pm_frame *frame, const pm_state *s, int contact, const double x[2])
+{
+    const int first = frame->model->contact_slot[contact];
+    pm_curve_taken taken = {.n = 0};
+    for (int i = first; i < first + pm_contact_slots(frame->model, contact); i++) {
+        if (s->slot[i].mode == PM_OPEN) continue;
+        double height;
+        const double at = place_of(frame, contact, s->slot[i].member);
+        taken.s[taken.n++] =
+            is_end(s->slot[i].member)
+                ? at
+                : pm_curve_foot(frame, curve_of(frame->model, contact), x, at, &height).s;
+    }
+    return taken;
+}
+
+static int nearest(const pm_frame *frame, const pm_state *s, int contact, pm_curve_near *near)
+{
+    double x[2];
+    centre_of(frame, contact, x);
+    const pm_curve_taken taken = taken_of(frame, s, contact, x);
+    return pm_curve_feet_nearest(frame, curve_of(frame->model, contact), x, &taken, near);
+}
+
+static double gap_of(const pm_frame *frame, int contact, const pm_curve_near *near)
+{
+    const double radius = radius_of(frame, contact);
+    if (near->end != PM_CURVE_WITHIN) {
+        const double gap = hypot(near->beyond, near->height) - radius;
+        return near->height < 0 ? fmin(gap, near->beyond) : gap;
+    }
+    return fmax(near->height - radius, -pm_curve_room(frame, curve_of(frame->model, contact), &near->foot));
+}
+
+static int member_of(const pm_frame *frame, int contact, const pm_curve_near *near)
+{
+    if (near->end == PM_CURVE_WITHIN || !(radius_of(frame, contact) > 0)) return near->node;
+    return near->end == PM_CURVE_AT_FROM ? PM_CURVE_FROM_END : PM_CURVE_TO_END;
+}
+
+double pm_contact_curve_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
+{
+    pm_curve_near near;
+    if (!nearest(frame, s, contact, &near)) return INFINITY;
+    *member = member_of(frame, contact, &near);
+    return gap_of(frame, contact, &near);
+}
+
+int pm_contact_curve_touches(const pm_frame *frame, const pm_state *s, int contact, int *member)
+{
+    pm_curve_near near;
+    const double radius = radius_of(frame, contact), length = pm_contact_length(frame);
+    if (!nearest(frame, s, contact, &near)) return 0;
+    *member = member_of(frame, contact, &near);
+    if (near.end != PM_CURVE_WITHIN) return hypot(near.beyond, near.height) - radius <= length;
+    const int behind = pm_contact_curve_ends(frame->model, contact) && near.height < -length;
+    return !behind && near.height - radius <= length;
+}
+
+int pm_contact_curve_is_below(const pm_frame *frame, const pm_state *s, int contact)
+{
+    pm_curve_near near;
+    return pm_contact_curve_ends(frame->model, contact) && nearest(frame, s, contact, &near) &&
+           near.height < radius_of(frame, contact) - pm_contact_length(frame);
+}
+
+double pm_contact_curve_gap_from_below(const pm_frame *frame, const pm_state *s, int contact)
+{
+    pm_curve_near near;
+    const double radius = radius_of(frame, contact);
+    if (!nearest(frame, s, contact, &near)) return INFINITY;
+    return near.end != PM_CURVE_WITHIN ? hypot(near.beyond, near.height) - radius : radius - near.height;
+}
+
+/* ---- members ---- */
+void pm_contact_curve_constraint(const pm_frame *frame, int contact, int member, pm_constraint *normal)
+{
+    normal->near = place_of(frame, contact, member);
+    if (!is_end(member)) return;
+    const pm_curve_node *at =
+        &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
+    normal->kind = PM_CONSTRAINT_DISTANCE;
+    normal->curve = PM_NONE;
+    for (int k = 0; k < 2; k++) normal->b[k] += at->p[k];
+    pm_constraint_marks_radii(normal, normal->radius_a, 0, 1);
+}
+
+int pm_contact_curve_is_same(const pm_model *m, int contact, int a, int b)
+{
+    if (!pm_contact_curve_is(m, contact)) return 0;
+    int off = (is_end(a) ? end_node(a) : a) - (is_end(b) ? end_node(b) : b);
+    off = off < 0 ? -off : off;
+    return off <= 1 || (!pm_contact_curve_ends(m, contact) && off >= PM_CURVE_NODES - 1);
+}
+
+int pm_contact_curve_way(const pm_model *m, int contact, int member)
+{
+    return pm_contact_curve_is(m, contact) && is_end(member) ? -1 : 1;
+}
+
+int pm_contact_curve_follow(const pm_frame *frame, int contact, double s)
+{
+    return pm_curve_feet_node(frame, curve_of(frame->model, contact), s);
+}
+
+/* ---- ends ---- */
+/* How far the centre is beyond an end, along its tangent. */
+static double beyond_end(const pm_frame *frame, int contact, int member)
+{
+    const pm_curve_node *at =
+        &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
+    double x[2];
+    centre_of(frame, contact, x);
+    const double d[2] = {x[0] - at->p[0], x[1] - at->p[1]}, along = pm_dot(d, at->t);
+    return member == PM_CURVE_FROM_END ? -along : along;
+}
+
+double pm_contact_curve_room(const pm_frame *frame, int contact, int member)
+{
+    if (is_end(member)) return beyond_end(frame, contact, member);
+    pm_constraint normal;
+    pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], member, &normal);
+    return pm_constraint_curve_room(frame, &normal) + pm_contact_length(frame);
+}
+
+int pm_contact_curve_next(const pm_frame *frame, int contact, int member)
+{
+    if (is_end(member)) return end_node(member);
+    if (!(radius_of(frame, contact) > 0)) return PM_NONE;
+    return member < PM_CURVE_NODES / 2 ? PM_CURVE_FROM_END : PM_CURVE_TO_END;
+}
