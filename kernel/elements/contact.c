@@ -379,6 +379,7 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
 int pm_contact_touches(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     if (pm_contact_gap(frame, s, contact, member) > pm_contact_length(frame)) return 0;
-    if (pm_contact_curve_is(frame->model, contact)) return pm_contact_curve_touches(frame, s, contact, member);
+    if (pm_contact_curve_is(frame->model, contact))
+        return pm_contact_curve_touches(frame, s, contact, member);
     return !pm_edge_is(frame->model, contact) || pm_edge_touches(frame, contact);
 }

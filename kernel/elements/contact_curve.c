@@ -42,8 +42,8 @@ int pm_contact_curve_begin(pm_workspace *w)
 /* ---- the nearest place ---- */
 static double radius_of(const pm_frame *frame, int contact)
 {
-    return frame->numbers
-        ->value[PM_CIRCLE_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    return frame->numbers->value[PM_CIRCLE_ROW(
+        frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
 }
 
 /* The centre of the circle from the point of the curve, in its axes. */
@@ -66,19 +66,26 @@ static double place_of(const pm_frame *frame, int contact, int member)
                                is_end(member) ? end_node(member) : member);
 }
 
+/* The s of the foot of a member, or of the end beyond which it has gone. */
+static double foot_of(const pm_frame *frame, int contact, int member, const double x[2])
+{
+    const int curve = curve_of(frame->model, contact);
+    const double at = place_of(frame, contact, member);
+    double height;
+    if (is_end(member)) return at;
+    const double s = pm_curve_foot(frame, curve, x, at, &height).s;
+    return pm_contact_curve_ends(frame->model, contact)
+               ? fmin(fmax(s, pm_curve_feet_place(frame, curve, 0)),
+                      pm_curve_feet_place(frame, curve, PM_CURVE_NODES))
+               : s;
+}
+
 static pm_curve_taken taken_of(const pm_frame *frame, const pm_state *s, int contact, const double x[2])
 {
     const int first = frame->model->contact_slot[contact];
     pm_curve_taken taken = {.n = 0};
-    for (int i = first; i < first + pm_contact_slots(frame->model, contact); i++) {
-        if (s->slot[i].mode == PM_OPEN) continue;
-        double height;
-        const double at = place_of(frame, contact, s->slot[i].member);
-        taken.s[taken.n++] =
-            is_end(s->slot[i].member)
-                ? at
-                : pm_curve_foot(frame, curve_of(frame->model, contact), x, at, &height).s;
-    }
+    for (int i = first; i < first + pm_contact_slots(frame->model, contact); i++)
+        if (s->slot[i].mode != PM_OPEN) taken.s[taken.n++] = foot_of(frame, contact, s->slot[i].member, x);
     return taken;
 }
 
@@ -87,7 +94,9 @@ static int nearest(const pm_frame *frame, const pm_state *s, int contact, pm_cur
     double x[2];
     centre_of(frame, contact, x);
     const pm_curve_taken taken = taken_of(frame, s, contact, x);
-    return pm_curve_feet_nearest(frame, curve_of(frame->model, contact), x, &taken, near);
+    const int found = pm_curve_feet_nearest(frame, curve_of(frame->model, contact), x, &taken, near);
+    if (found) near->beyond = fmax(near->beyond - pm_contact_length(frame), 0); /* as far as it stands */
+    return found;
 }
 
 static double gap_of(const pm_frame *frame, int contact, const pm_curve_near *near)
@@ -145,8 +154,7 @@ void pm_contact_curve_constraint(const pm_frame *frame, int contact, int member,
 {
     normal->near = place_of(frame, contact, member);
     if (!is_end(member)) return;
-    const pm_curve_node *at =
-        &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
+    const pm_curve_node *at = &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
     normal->kind = PM_CONSTRAINT_DISTANCE;
     normal->curve = PM_NONE;
     for (int k = 0; k < 2; k++) normal->b[k] += at->p[k];
@@ -175,8 +183,7 @@ int pm_contact_curve_follow(const pm_frame *frame, int contact, double s)
 /* How far the centre is beyond an end, along its tangent. */
 static double beyond_end(const pm_frame *frame, int contact, int member)
 {
-    const pm_curve_node *at =
-        &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
+    const pm_curve_node *at = &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
     double x[2];
     centre_of(frame, contact, x);
     const double d[2] = {x[0] - at->p[0], x[1] - at->p[1]}, along = pm_dot(d, at->t);

@@ -56,13 +56,14 @@ static pm_curve_place place_of(const pm_curve_series *c, double side, double s)
     const double first[2] = {c->x.c[1], c->y.c[1]}, second[2] = {2 * c->x.c[2], 2 * c->y.c[2]},
                  third[2] = {6 * c->x.c[3], 6 * c->y.c[3]};
     const double v = pm_length(first), across = pm_cross(first, second), along = pm_dot(first, second);
+    const double cube = v * v * v;
     pm_curve_place x = {.s = s, .p = {c->x.c[0], c->y.c[0]}, .rate = side * v};
     for (int k = 0; k < 2; k++) x.t[k] = side * first[k] / v;
     x.n[0] = -x.t[1];
     x.n[1] = x.t[0];
     x.quickens = pm_dot(second, x.t);
-    x.bend = side * across / (v * v * v);
-    x.bend_rate = (pm_cross(first, third) * v * v - 3 * across * along) / pow(v, 6);
+    x.bend = side * across / cube;
+    x.bend_rate = (pm_cross(first, third) * v * v - 3 * across * along) / (cube * cube);
     return x;
 }
 
@@ -113,7 +114,7 @@ pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2]
 {
     const double all = bound_of(frame, curve, PM_CURVE_TO) - bound_of(frame, curve, PM_CURVE_FROM);
     double turned = 0;
-    for (int step = 0, last = 0; step < PM_CURVE_STEPS; step++) {
+    for (int tries = 0, last = 0; tries < PM_CURVE_STEPS; tries++) {
         const pm_curve_place at = pm_curve_at(frame, curve, s);
         const double d[2] = {x[0] - at.p[0], x[1] - at.p[1]}, way = way_to_foot(&at, d);
         const double nothing = PM_CURVE_FOUND * PM_EPSILON * (pm_length(x) + pm_length(at.p));
@@ -121,8 +122,10 @@ pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2]
         if (last || fabs(way) <= nothing) return at;
         if (!(turned <= PM_CURVE_WINDOW)) break;
         turned += turn_along(&at, way);
-        last = turn_along(&at, way) <= PM_CURVE_LAST;
-        s += fmin(fmax(step_of(&at, way), -PM_CURVE_PART * all), PM_CURVE_PART * all);
+        const double whole = step_of(&at, way),
+                     step = fmin(fmax(whole, -PM_CURVE_PART * all), PM_CURVE_PART * all);
+        last = step == whole && turn_along(&at, way) <= PM_CURVE_LAST;
+        s += step;
     }
     *height = NAN;
     return (pm_curve_place){.s = NAN, .p = {NAN, NAN}, .t = {NAN, NAN}, .n = {NAN, NAN}};

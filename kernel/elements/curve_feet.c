@@ -89,6 +89,7 @@ int pm_curve_feet_begin(pm_workspace *w, int curve)
     const double part = range_of(frame, curve) / PM_CURVE_NODES;
     double before = 0;
     x->pace = x->size = x->far = 0;
+    x->fine = INFINITY;
     for (int i = 0; i <= PM_CURVE_NODES; i++) {
         const double s = pm_curve_feet_place(frame, curve, i);
         const pm_curve_place at = pm_curve_at(frame, curve, s);
@@ -97,10 +98,13 @@ int pm_curve_feet_begin(pm_workspace *w, int curve)
                                     : fabs(atan2(pm_cross(x->node[i - 1].t, x->node[i].t),
                                                  pm_dot(x->node[i - 1].t, x->node[i].t)));
         if (!(turns <= PM_CURVE_TURN)) return bad(w, curve, PM_CURVE_SIDE, s, turns);
-        if (i > 0) x->pace = fmax(x->pace, part * fmax(before, fabs(at.rate)));
+        const double way = part * fmax(before, fabs(at.rate));
+        if (i > 0) x->pace = fmax(x->pace, way);
+        if (turns > 0) x->fine = fmin(x->fine, way * PM_CURVE_TURN / turns);
         before = fabs(at.rate);
     }
     x->pace *= 1 + PM_CURVE_TURN;
+    x->fine = fmin(x->fine, x->size);
     const int crossing = crosses_itself(x);
     return crossing == PM_NONE
                ? PM_OK
@@ -134,7 +138,8 @@ static int is_taken(const pm_curve_search *f, double s)
 }
 
 /* Keeps what was found if it is nearer than all before. */
-static void keep(pm_curve_search *f, const pm_curve_place *foot, int end, double distance, pm_curve_near *near)
+static void keep(pm_curve_search *f, const pm_curve_place *foot, int end, double distance,
+                 pm_curve_near *near)
 {
     if (!(distance < f->best) || is_taken(f, foot->s)) return;
     const double d[2] = {f->x[0] - foot->p[0], f->x[1] - foot->p[1]}, way = pm_dot(d, foot->t);
@@ -180,8 +185,7 @@ static void look_at_ends(pm_curve_search *f, pm_curve_near *near)
         const int i = end == PM_CURVE_AT_FROM ? 0 : PM_CURVE_NODES;
         const double way = along(&node[i], f->x), d = apart(f->x, node[i].p);
         if (!(end == PM_CURVE_AT_FROM ? way < 0 : way >= 0) || !(d < f->best)) continue;
-        const pm_curve_place at =
-            pm_curve_at(f->frame, f->curve, pm_curve_feet_place(f->frame, f->curve, i));
+        const pm_curve_place at = pm_curve_at(f->frame, f->curve, pm_curve_feet_place(f->frame, f->curve, i));
         keep(f, &at, end, d, near);
     }
 }

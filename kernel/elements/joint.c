@@ -76,6 +76,12 @@ static void rolling_line(const pm_frame *frame, const int32_t *e, pm_constraint 
     put_beside(&c[1], PM_CONSTRAINT_LINE_TANGENT, &c[0]);
 }
 
+static void rolling_curve(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    put(frame, e, &c[0], PM_CONSTRAINT_CURVE_NORMAL, pm_constraint_marks_circle_and_curve);
+    put_beside(&c[1], PM_CONSTRAINT_CURVE_TANGENT, &c[0]);
+}
+
 static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     c->kind = PM_CONSTRAINT_CIRCLE_TANGENT;
@@ -233,6 +239,8 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
                                      .slip = PM_CONSTRAINT_LINE_TANGENT, .compose = slider_fixed_place},
     [PM_JOINT_SLOT] = {POINT, CURVE, .nconstraint = 1, .feet = 1, .slip = PM_CONSTRAINT_CURVE_TANGENT,
                        .compose = slot},
+    [PM_JOINT_ROLLING_CURVE] = {CIRCLE, CURVE, .nconstraint = 2, .memories = 1, .feet = 1, .presses = 1,
+                                .slip = PM_NONE, .compose = rolling_curve},
 };
 
 const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }

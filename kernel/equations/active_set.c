@@ -376,7 +376,8 @@ static void follow_members(const pm_frame *frame, pm_state *s)
         if (s->slot[i].mode == PM_OPEN || !pm_contact_curve_is(m, contact) ||
             s->slot[i].member > PM_CURVE_NODES)
             continue;
-        s->slot[i].member = pm_contact_curve_follow(frame, contact, s->memory[m->nmemory - m->nslot + i].foot);
+        s->slot[i].member =
+            pm_contact_curve_follow(frame, contact, s->memory[m->nmemory - m->nslot + i].foot);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "elements/contact_curve.h"
 #include "elements/trigger.h"
 #include "events/last_bounce.h"
 #include "numerics/tolerances.h"
@@ -212,6 +213,14 @@ void pm_event_evidence_instant(pm_workspace *w, int marks)
     if (isfinite(w->firing.jumped) && time_is_due(w)) take_time_since_jump(w);
 }
 
+/* Next to which node a foot on a curve is says nothing; at which end it is does. */
+static uint32_t member_that_counts(const pm_workspace *w, int slot)
+{
+    const int member = w->state.slot[slot].member;
+    const int foot = pm_contact_curve_is(w->model, pm_contact_of_slot(w->model, slot));
+    return foot && member <= PM_CURVE_NODES ? 0 : (uint32_t)member;
+}
+
 void pm_event_evidence_close(pm_workspace *w)
 {
     if (!w->evidence.active) return;
@@ -221,7 +230,7 @@ void pm_event_evidence_close(pm_workspace *w)
     for (int i = 0; i < w->model->nfriction; i++) pm_evidence_mix(log, (uint32_t)w->state.friction[i]);
     for (int i = 0; i < w->model->nslot; i++) {
         pm_evidence_mix(log, (uint32_t)w->state.slot[i].mode);
-        if (w->state.slot[i].mode != PM_OPEN) pm_evidence_mix(log, (uint32_t)w->state.slot[i].member);
+        if (w->state.slot[i].mode != PM_OPEN) pm_evidence_mix(log, member_that_counts(w, i));
     }
     log->instant++;
 }

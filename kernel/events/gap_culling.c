@@ -139,7 +139,9 @@ static double through(const pm_model *m, const pm_numbers *numbers, int contact)
                    ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
     case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);
-    case PM_CONTACT_CURVE: return PM_CULLING_EDGE * numbers->course[e[PM_CONTACT_B]].size;
+    case PM_CONTACT_CURVE:
+        return fmin(numbers->course[e[PM_CONTACT_B]].fine,
+                    PM_CULLING_EDGE * numbers->course[e[PM_CONTACT_B]].size);
     default: return 0;
     }
 }

@@ -110,9 +110,8 @@ static int hand_over(pm_workspace *w, int mode, int heir)
 static int next_member(const pm_workspace *w, int contact, int member, int *heir)
 {
     *heir = PM_NONE;
-    return pm_contact_curve_is(w->model, contact)
-               ? pm_contact_curve_next(&w->frame, contact, member)
-               : pm_edge_next(&w->frame, &w->state, contact, member, heir);
+    return pm_contact_curve_is(w->model, contact) ? pm_contact_curve_next(&w->frame, contact, member)
+                                                  : pm_edge_next(&w->frame, &w->state, contact, member, heir);
 }
 
 /* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the

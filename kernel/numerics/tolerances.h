@@ -69,11 +69,11 @@
 #define PM_CURVE_STEPS 40 /* of such a search; more would only put off that it is given up */
 #define PM_CURVE_PART 0.1 /* of the parameter's range in one step, where the tangent tells nothing; larger: a foot may be passed */
 #define PM_CURVE_CENTRE 0.05 /* of the radius of curvature: so near its centre a foot is no longer well determined; larger: more steps */
-#define PM_CURVE_LAST 1e-5 /* rad: a step after which the foot is exact, since errors square; larger: normals less exact */
+#define PM_CURVE_LAST 1e-8 /* rad: a step after which the foot is exact, since errors square; larger: what rolls or sticks is told to jump, and ida creeps */
 #define PM_CURVE_FOUND 8 /* roundings of a place: a step that gains nothing; larger: feet less exact */
 #define PM_CURVE_SAMPLES 256 /* places at which a whole curve is looked at; fewer: feet on wavy curves are missed, cusps too */
-#define PM_CURVE_NODES 512 /* parts of a curve that contacts touch; fewer: curves with many waves are refused */
-#define PM_CURVE_TURN 0.35 /* rad: turn of the tangent in such a part, so that one foot is in it at most; larger: feet are missed */
+#define PM_CURVE_NODES 1024 /* parts of a curve that contacts touch; fewer: curves with many waves are refused */
+#define PM_CURVE_TURN 0.5 /* rad: turn of the tangent in such a part, so that one foot is in it at most; larger: feet are missed */
 #define PM_CURVE_SAME 1e-5 /* of the parameter's range: feet so near are one; larger: a second one is seen later */
 #define PM_CURVE_STRIDE 16 /* nodes from look to look for a first bound of a distance; more or fewer: slower */
 #define PM_CURVE_BISECTIONS 60 /* of a part in which Newton's method leaves the foot; fewer: less exact */

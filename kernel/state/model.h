@@ -48,8 +48,8 @@ typedef struct pm_model {
     int nvalue, nask, nout;
     int nelement;          /* joints, contacts and forces */
     int njoint_constraint; /* constraints of all joints */
-    int nslot;             /* places for closed contacts: 1 per contact, PM_PATTERN_SLOTS per pattern or curve */
-    int nedge;             /* contacts with edges that end */
+    int nslot;       /* places for closed contacts: 1 per contact, PM_PATTERN_SLOTS per pattern or curve */
+    int nedge;       /* contacts with edges that end */
     int nmemory;     /* joints and slots: what their no-slip and driven constraints and strands remember */
     int nkept;       /* slots of contacts that capture */
     int nconstraint; /* most active constraints: njoint_constraint + 2 nslot + nkept */

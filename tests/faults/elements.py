@@ -4,6 +4,42 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "curves: a foot in the next part is not looked for",
+        "elements/curve_feet.c",
+        "along(&c->node[i], f->x) >= 0 && along(&c->node[i + 1], f->x) < 0",
+        "i % 2 == 0 && along(&c->node[i], f->x) >= 0 && along(&c->node[i + 1], f->x) < 0",
+    ),
+    Fault(
+        "curves: a foot that is closed is found again",
+        "elements/curve_feet.c",
+        "if (off <= PM_CURVE_SAME * all) return 1;",
+        "if (off < 0) return 1;",
+    ),
+    Fault(
+        "curves: what touches does not feel how they bend",
+        "elements/constraint_curve.c",
+        "l.foot.bend * l.along * l.along / slope;",
+        "0 * l.along * l.along / slope;",
+    ),
+    Fault(
+        "curves: a circle rolls as far as the curve is long",
+        "elements/constraint_curve.c",
+        "pm_curve_way(frame, c->curve, from, to->s) - c->radius_a * turned;",
+        "pm_curve_way(frame, c->curve, from, to->s) - 0 * turned;",
+    ),
+    Fault(
+        "curves: a circle falls off the end without its corner",
+        "elements/contact_curve.c",
+        "return member < PM_CURVE_NODES / 2 ? PM_CURVE_FROM_END : PM_CURVE_TO_END;",
+        "return PM_NONE;",
+    ),
+    Fault(
+        "curves: what comes from behind touches",
+        "elements/contact_curve.c",
+        "return !behind && near.height - radius <= length;",
+        "return near.height - radius <= length;",
+    ),
+    Fault(
         "teeth: both flanks draw their wheels together",
         "elements/constraint_teeth.c",
         "c->j[k] = along * t.j[k] + across * n.j[k];",

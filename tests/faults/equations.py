@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "curves: the foot of a contact is not followed",
+        "equations/active_set.c",
+        "follow_members(frame, s);\n    follow_slack",
+        "follow_slack",
+    ),
+    Fault(
         "a constraint that depends on later ones is kept",
         "equations/active_set.c",
         "if (depends != PM_DEPENDENCE_FOR_GOOD) move_back(",

@@ -53,6 +53,11 @@ VARIANTS = {
         'e = { force = "a.E", power = "3 W" }\n[start]\na.velocity.x = "1 m/s"',
     ),
     "couple of given power": ("couple", 'e = { couple = "a", power = "3 W" }\n[start]\na.omega = "1 rad/s"'),
+    "rolling on a curve": (
+        "rolling",
+        'e = { rolling = ["a.rim", "ground.bowl"] }\n[ground.curves]\n'
+        'bowl = { x = "(1 m)*s", y = "(0.1 m)*(s + 0.5)^2 - (0.5 m)", from = -2, to = 2 }',
+    ),
     "pin of given angle": ("pin", 'e = { pin = ["a.E", "ground"], angle = "t*(2 rad/s)" }'),
     "slider of given position": (
         "slider",

@@ -200,3 +200,18 @@ def test_a_row_that_ends_has_its_members_alone() -> None:
         [1, 3, 5, 7]
     )
     assert len(members_in('["2 m", 0]', ((2.0, 4.0), (9.0, 11.0)))) == 0  # it passes below the picture
+
+
+def test_what_touches_a_curve_is_drawn_at_its_foot() -> None:
+    """A ball half a metre above the lowest place of a bowl."""
+    start = start_of("""
+until = "t = 1 s"
+ground.curves.bowl = { x = "(1 m)*s", y = "(0.25 m)*s^2", from = -1.93, to = 2 }
+bodies.ball = { disk = "0.2 m", mass = "2 kg", at = [0, "0.7 m"] }
+contacts.c = { touch = ["ground.bowl", "ball.rim"] }
+""")
+    with page.style():
+        seen = Sketch(start.drawing, start.poses, "m", (np.array([-2.0, -1.0]), np.array([2.0, 1.0])))
+        (push,) = sketch.contact_pushes(seen, "c", start.data.contacts["c"])
+    assert np.array(push.places) == pytest.approx(np.array([[0, 0], [0, 0.5]]), abs=1e-4)
+    assert push.turn == pytest.approx(0, abs=1e-3)

@@ -1,8 +1,8 @@
 """Contacts: from two marks that may touch to rows of the kernel's contact table.
 
-The kernel wants a circle (of radius 0: a point) first and a line, circle, curve or row second; what is written the
-other way round is exchanged, and `ContactInfo.swapped` tells the measures, which report on the first partner
-as written.  A set of points becomes one row for each member.
+The kernel wants a circle (of radius 0: a point) first and a line, circle, curve or row second; what is
+written the other way round is exchanged, and `ContactInfo.swapped` tells the measures, which report on the
+first partner as written.  A set of points becomes one row for each member.
 """
 
 from __future__ import annotations

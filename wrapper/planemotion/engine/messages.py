@@ -207,6 +207,13 @@ def _bad_curve(place: str, column: int, found: float, bound: float) -> str:
             return f"{place}: at s = {found:.6g} its place or its direction is no number"
         case layout.PM_CURVE_Y:
             return f"{place}: at s = {found:.6g} it has a cusp; a curve is smooth: begin or end beside it"
+        case layout.PM_CURVE_SIDE:
+            return (
+                f"{place}: at s = {found:.6g} it bends too sharply for what touches it, by {bound:.2g} rad "
+                "in a 1024th of it: write its parts as curves of their own"
+            )
+        case layout.PM_CURVE_POINT:
+            return f"{place}: at s = {found:.6g} it crosses itself: what touches it has no one side there"
         case layout.PM_CURVE_CLOSED:
             return f"{place}: it does not close: its ends are {found:.6g} m apart (allowed {bound:.2g} m)"
         case _:

@@ -1,4 +1,4 @@
-"""Rolling without slip or parting: a circle on a line, or on another circle from outside or inside."""
+"""Rolling without slip or parting: a circle on a line, a curve, or another circle from outside or inside."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
+from ..geometry.curves import CurveMark
 from ..geometry.marks import LineMark
 from ..geometry.partners import Partner, kernel_circle, side
 from ..geometry.push import Push
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 class Rolling(Joint):
     word = "rolling"
-    marks = (("circle",), ("line", "circle"))
+    marks = (("circle",), ("line", "circle", "curve"))
     quantities = {
         "normal": Quantity((layout.PM_MEASURE_JOINT_NORMAL,), FORCE),
         "friction": Quantity((layout.PM_MEASURE_JOINT_FRICTION,), FORCE),
@@ -35,6 +36,10 @@ class Rolling(Joint):
         if isinstance(b.mark, LineMark):
             line = to.drawn.line(b.owner, b.mark, b.where)
             return JointRow(layout.PM_JOINT_ROLLING_LINE, circle, line)
+        if isinstance(b.mark, CurveMark):
+            return JointRow(
+                layout.PM_JOINT_ROLLING_CURVE, circle, to.drawn.curve(b.owner, b.mark, b.mark_path)
+            )
         other = kernel_circle(to.drawn, b)
         return JointRow(layout.PM_JOINT_ROLLING_CIRCLE, circle, other, (side(to.drawing, a, b), path))
 
@@ -48,6 +53,8 @@ class Rolling(Joint):
         at, _ = sketch.touching(a, b)
         if isinstance(b.mark, LineMark):
             turn = sketch.number(b.mark.angle) + sketch.angle(b.owner)
+        elif isinstance(b.mark, CurveMark):
+            turn = sketch.along_curve(b.owner, b.mark, at)[1]
         else:
             _, center = sketch.both(a, b)
             turn = math.atan2(at[1] - center[1], at[0] - center[0]) + math.pi / 2

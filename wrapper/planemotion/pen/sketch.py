@@ -92,16 +92,24 @@ class Sketch:
 
     def curve(self, owner: str, mark: CurveMark) -> np.ndarray:
         """Places [n, 2] of a curve, in the order of s."""
-        first, last = (self.number(bound) for bound in mark.bounds)
-        values = np.linspace(first, last, _OF_CURVE + 1)
-        return np.array([self.place(owner, mark.at(Number(float(s)))) for s in values])
+        return self._places(owner, mark, self._along(mark))
 
     def along_curve(self, owner: str, mark: CurveMark, at: Place) -> tuple[Place, float]:
         """The place of a curve next to a place, and its direction there."""
-        places = self.curve(owner, mark)
-        k = int(np.argmin(np.hypot(*(places - np.asarray(at)).T)))
-        step = places[min(k + 1, _OF_CURVE)] - places[max(k - 1, 0)]
+        values = self._along(mark)
+        for _ in range(2):  # once more between the neighbours of the nearest
+            places = self._places(owner, mark, values)
+            k = int(np.argmin(np.hypot(*(places - np.asarray(at)).T)))
+            first, last = max(k - 1, 0), min(k + 1, len(values) - 1)
+            values = np.linspace(values[first], values[last], _OF_CURVE + 1)
+        step = places[last] - places[first]
         return (float(places[k, 0]), float(places[k, 1])), math.atan2(step[1], step[0])
+
+    def _along(self, mark: CurveMark) -> np.ndarray:
+        return np.linspace(*(self.number(bound) for bound in mark.bounds), _OF_CURVE + 1)
+
+    def _places(self, owner: str, mark: CurveMark, values: np.ndarray) -> np.ndarray:
+        return np.array([self.place(owner, mark.at(Number(float(s)))) for s in values])
 
     def of_partner(self, one: Partner, other: Partner) -> Place:
         """The place of a partner that is a point or a circle (its centre)."""
@@ -320,6 +328,8 @@ class Sketch:
                     return _towards(center, radius, (foot[0] + part * y, foot[1] - part * x))
             near = (center[0] - radius * x, center[1] - radius * y)
             return near, (center[0] - gap * x, center[1] - gap * y)
+        if isinstance(b.mark, CurveMark):
+            return _towards(center, radius, self.along_curve(b.owner, b.mark, center)[0])
         if isinstance(b.mark, RowMark):
             start = np.array(self.place(b.owner, b.mark.start))
             step = np.array([self.length(part) for part in b.mark.step])

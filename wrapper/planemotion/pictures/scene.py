@@ -327,9 +327,9 @@ class SceneDrawing:
 
 def contact_pushes(sketch: Sketch, name: str, contact: Contact) -> list[Push]:
     """Where a contact acts on its partners as written: once, or for each member of a set."""
-    any_mark = ("circle", "point", "line", "row", "set")
+    any_mark = ("circle", "point", "line", "curve", "row", "set")
     a, b = sketch.read(contact.partners, f"contacts.{name}", *any_mark)
-    swapped = a.kind in ("line", "row") or b.kind == "set"
+    swapped = a.kind in ("line", "curve", "row") or b.kind == "set"
     if swapped:
         a, b = b, a
     members = [a]

@@ -1,0 +1,473 @@
+"""Points and circles that touch curves: blow by blow, and integrated or in closed form beside them, on every route."""
+
+# ruff: noqa: E501
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq, minimize_scalar
+
+import planemotion
+from planemotion import SceneError, SimulationError
+from tests.scenes import ROUTES, G
+
+PARABOLA = '{ x = "(1 m)*s", y = "(0.25 m)*s^2", from = -3, to = 3 }'
+
+
+def run(text: str, route: str = "auto") -> planemotion.RunResult:
+    return planemotion.load_text(f'solve.route = "{route}"\n{text}').run()
+
+
+def number(result: planemotion.RunResult, ask: str) -> float:
+    value = result[ask]
+    assert isinstance(value, float)
+    return value
+
+
+def close(route: str) -> float:
+    return 1e-8 if route == "ida" else 1e-9
+
+
+# ---- what slides and rolls ----
+
+
+@pytest.mark.parametrize("mu", [0, 0.2])
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_point_slides_in_a_bowl_as_integrated(route: str, mu: float) -> None:
+    """On y = x^2/4: N = (g + v^2/2) / sqrt(1 + y'^2) in all, and friction mu N against the motion, up to its first stop."""
+    result = run(
+        f"""
+        until = "{"p.velocity.x > 0" if mu == 0 else "t = 1.2 s"}"
+        ground.curves.bowl = {PARABOLA}
+        bodies.p = {{ mass = "2 kg", at = ["1 m", "0.25 m"] }}
+        contacts.c = {{ touch = ["p", "ground.bowl"], friction = {mu} }}
+        events.low = "p.x < 0"
+        ask.x = {{ of = "p.x", unit = "m" }}
+        ask.v = {{ of = "p.velocity.x", at = "low", unit = "m/s" }}
+        ask.N = {{ of = "c.normal", at = "low", unit = "N" }}
+        """,
+        route,
+    )
+
+    def motion(t: float, y: np.ndarray) -> list[float]:
+        x, v = y
+        slope = x / 2
+        size = math.hypot(1, slope)
+        normal = (G + v * v / 2) / size  # per mass
+        along = -G * slope / size + mu * normal  # it slides to the left
+        return [v, (along - v * v / 2 * slope / size) / size]
+
+    def bottom(t: float, y: np.ndarray) -> float:
+        return float(y[0])
+
+    bottom.terminal = True  # type: ignore[attr-defined]
+    found = solve_ivp(motion, (0, 1.3), [1, 0], method="DOP853", rtol=1e-13, atol=1e-14, events=bottom)
+    v = found.y_events[0][0][1]
+    assert number(result, "v") == pytest.approx(v, rel=close(route))
+    assert number(result, "N") == pytest.approx(2 * (G + v * v / 2), rel=close(route))
+    if mu == 0:
+        assert number(result, "x") == pytest.approx(-1, rel=close(route))
+    else:
+        whole = solve_ivp(motion, (0, 1.2), [1, 0], method="DOP853", rtol=1e-13, atol=1e-14)
+        assert whole.y[1, -1] < 0
+        assert number(result, "x") == pytest.approx(whole.y[0, -1], abs=close(route))
+
+
+ROLLS = {
+    "contact": 'contacts.c = { touch = ["p.rim", "ground.bowl"], friction = "rough" }',
+    "joint": 'joints.c = { rolling = ["p.rim", "ground.bowl"] }',
+}
+
+
+@pytest.mark.parametrize("how", sorted(ROLLS))
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_disk_rolls_in_a_parabola_as_a_quadrature_says(route: str, how: str) -> None:
+    """Its centre goes (1 - R b) ds, with 3/2 of the energy of a particle; at the bottom N = m (g + v^2 / (1/b - R))."""
+    radius, begin = 0.2, 1.1
+    size = math.hypot(1, begin / 2)
+    at = begin - radius * begin / 2 / size, begin**2 / 4 + radius / size
+    result = run(
+        f"""
+        until = "p.x < 0"
+        ground.curves.bowl = {PARABOLA}
+        bodies.p = {{ disk = "{radius} m", mass = "2 kg", at = ["{at[0]!r} m", "{at[1]!r} m"] }}
+        {ROLLS[how]}
+        ask.t = "t"
+        ask.w = {{ of = "p.omega", unit = "rad/s" }}
+        ask.N = {{ of = "c.normal", unit = "N" }}
+        ask.F = {{ of = "c.friction", unit = "N" }}
+        """,
+        route,
+    )
+
+    def height(s: float) -> float:
+        return s * s / 4 + radius / math.hypot(1, s / 2)
+
+    def pace(u: float) -> float:
+        """dt/du with s = s0 (1 - u^2), so that nothing is singular at the start."""
+        s = begin * (1 - u * u)
+        rate = math.hypot(1, s / 2)
+        way = (1 - radius / 2 / rate**3) * rate
+        fallen = height(begin) - height(s)
+        return way / math.sqrt(2 * G * fallen / 1.5) * 2 * begin * u if u > 0 else 0
+
+    speed = math.sqrt(2 * G * (height(begin) - radius) / 1.5)
+    time = quad(pace, 1e-9, 1, epsabs=1e-13, epsrel=1e-13, limit=200)[0]
+    assert number(result, "t") == pytest.approx(time, rel=1e-8)
+    assert number(result, "w") == pytest.approx(speed / radius, rel=close(route))
+    assert number(result, "N") == pytest.approx(2 * (G + speed**2 / (2 - radius)), rel=close(route))
+    assert number(result, "F") == pytest.approx(0, abs=1e-7)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("swing", [0.05, 0.6])
+def test_a_disk_rolls_in_a_cycloid_isochronously(route: str, swing: float) -> None:
+    """The rim goes on the curve parallel to a cycloid at the distance R, so that the centre goes on that: its period is
+    2 pi sqrt(3/2 4 a / g) whatever the swing."""
+    a, radius = 1.0, 0.2
+    # centre x = a (p + sin p), y = -a (1 + cos p) + 2 a ..., p from -pi to pi; the wire lies R below it.
+    x, y = a * (swing + math.sin(swing)), a * (1 - math.cos(swing))
+    result = run(
+        f"""
+        until = "p.velocity.x > 0"
+        ground.curves.bowl = {{ x = "(1 m)*(s + sin(s)) + (0.2 m)*sin(s/2)", y = "(1 m)*(1 - cos(s)) - (0.2 m)*cos(s/2)", from = -2, to = 2 }}
+        bodies.p = {{ disk = "{radius} m", mass = "2 kg", at = ["{x!r} m", "{y!r} m"] }}
+        joints.c = {{ rolling = ["p.rim", "ground.bowl"] }}
+        ask.t = "t"
+        """,
+        route,
+    )
+    assert number(result, "t") == pytest.approx(math.pi * math.sqrt(1.5 * 4 * a / G), rel=1e-8)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_what_rolls_on_a_curve_comes_back_to_where_it_was(route: str) -> None:
+    """Round an ellipse, outside, without weight: a disk turns by the way over R and once more."""
+    result = run(
+        """
+        plane = "horizontal"
+        until = "p.y > 0"
+        ground.curves.cam = { ellipse = ["2 m", "1 m"], side = "right" }
+        bodies.p = { disk = "0.5 m", mass = "1 kg", at = [0, "-1.5 m"] }
+        joints.c = { rolling = ["p.rim", "ground.cam"] }
+        start.p.velocity.x = "1 m/s"
+        ask.turned = "p.turned"
+        """,
+        route,
+    )
+    way = quad(lambda s: math.hypot(2 * math.sin(s), math.cos(s)), -math.pi / 2, 0, epsabs=1e-14)[0]
+    assert number(result, "turned") == pytest.approx(way / 0.5 + math.pi / 2, rel=close(route))
+
+
+# ---- blows ----
+
+
+def foot_on_parabola(x: float, y: float) -> float:
+    roots = np.roots([-0.125, 0, 0.5 * y - 1, x])
+    s = min(
+        (root.real for root in roots if abs(root.imag) < 1e-9), key=lambda s: math.hypot(x - s, y - s * s / 4)
+    )
+    for _ in range(3):
+        s -= ((x - s) + (y - s * s / 4) * s / 2) / (-1 + (y - s * s / 4) / 2 - s * s / 4)
+    return float(s)
+
+
+def bounced(until: float, radius: float, e: float, mu: float) -> tuple[float, float, float, int]:
+    """A disk that falls from (1, 1.5) into y = x^2/4, by parabolas and blows: x, y, omega and how many blows there were."""
+
+    def gap(x: float, y: float) -> float:
+        s = foot_on_parabola(x, y)
+        return math.copysign(math.hypot(x - s, y - s * s / 4), y - x * x / 4) - radius
+
+    t, blows = 0.0, 0
+    x, y, vx, vy, w = 1.0, 1.5, 0.0, 0.0, 0.0
+    while True:
+
+        def at(h: float, x: float = x, y: float = y, vx: float = vx, vy: float = vy) -> float:
+            return gap(x + vx * h, y + vy * h - G * h * h / 2)
+
+        times = np.linspace(1e-6, until - t, 4000)
+        hit = next(((a, b) for a, b in itertools.pairwise(times) if at(a) > 0 >= at(b)), None)
+        h = until - t if hit is None else brentq(at, *hit, xtol=1e-15)
+        x, y, vy, t = x + vx * h, y + vy * h - G * h * h / 2, vy - G * h, t + h
+        if hit is None:
+            return x, y, w, blows
+        blows += 1
+        slope = foot_on_parabola(x, y) / 2
+        tx, ty = 1 / math.hypot(1, slope), slope / math.hypot(1, slope)
+        normal = -(1 + e) * (-vx * ty + vy * tx)
+        along = -(vx * tx + vy * ty + radius * w) / 3
+        along = max(-mu * normal, min(mu * normal, along))
+        vx, vy, w = vx - normal * ty + along * tx, vy + normal * tx + along * ty, w + 2 * along / radius
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize(("radius", "e", "mu"), [(0.2, 0.7, 0.3), (0.5, 1, 0), (0.1, 0.9, 0.05)])
+def test_a_disk_bounces_in_a_bowl_as_blow_by_blow(route: str, radius: float, e: float, mu: float) -> None:
+    result = run(
+        f"""
+        until = "t = 1.5 s"
+        ground.curves.bowl = {PARABOLA}
+        bodies.p = {{ disk = "{radius} m", mass = "2 kg", at = ["1 m", "1.5 m"] }}
+        contacts.c = {{ touch = ["p.rim", "ground.bowl"], restitution = {e}, friction = {mu} }}
+        events.hit = "c strikes"
+        ask.x = {{ of = "p.x", unit = "m" }}
+        ask.y = {{ of = "p.y", unit = "m" }}
+        ask.w = {{ of = "p.omega", unit = "rad/s" }}
+        ask.n = "hit.count"
+        """,
+        route,
+    )
+    x, y, w, n = bounced(1.5, radius, e, mu)
+    assert number(result, "n") == n > 1
+    assert number(result, "x") == pytest.approx(x, abs=close(route))
+    assert number(result, "y") == pytest.approx(y, abs=close(route))
+    assert number(result, "w") == pytest.approx(w, abs=1e-8)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("begin", [0.02, 0.11, 0.3])
+def test_a_fast_ball_hits_the_first_of_many_waves(route: str, begin: float) -> None:
+    """Over y = 0.1 cos 20 x, flat and fast, so that a step goes over several waves."""
+    result = run(
+        f"""
+        until = "c strikes"
+        ground.curves.waves = {{ x = "(1 m)*s", y = "(0.1 m)*cos(20*s)", from = -1, to = 10 }}
+        bodies.p = {{ mass = "1 kg", at = ["{begin} m", "1 m"] }}
+        contacts.c = {{ touch = ["p", "ground.waves"] }}
+        start.p.velocity.x = "20 m/s"
+        ask.x = {{ of = "p.x", at = "end", unit = "m" }}
+        """,
+        route,
+    )
+
+    def gap(t: float) -> float:
+        return 1 - G * t * t / 2 - 0.1 * math.cos(20 * (begin + 20 * t))
+
+    times = np.linspace(0, 0.55, 20001)
+    a, b = next((a, b) for a, b in itertools.pairwise(times) if gap(a) > 0 >= gap(b))
+    assert number(result, "x") == pytest.approx(begin + 20 * brentq(gap, a, b, xtol=1e-15), rel=close(route))
+
+
+def test_gaps_are_those_to_the_nearest_place() -> None:
+    """Random places beside a wavy ring, against all of it looked at closely."""
+    rng = np.random.default_rng(5)
+    s = np.linspace(0, 2 * math.pi, 20001)
+
+    def radius(s: float | np.ndarray) -> float | np.ndarray:
+        return 1 + 0.2 * np.cos(5 * s) + 0.1 * np.sin(2 * s)
+
+    for x, y in rng.uniform(-2.5, 2.5, (40, 2)):
+
+        def apart(s: float, x: float = x, y: float = y) -> float:
+            return float(math.hypot(x - radius(s) * math.cos(s), y - radius(s) * math.sin(s)))
+
+        near = s[np.argmin(np.hypot(x - radius(s) * np.cos(s), y - radius(s) * np.sin(s)))]
+        least = minimize_scalar(apart, bounds=(near - 1e-3, near + 1e-3), options={"xatol": 1e-13}).fun
+        inside = math.hypot(x, y) < radius(math.atan2(y, x))
+        gap = number(
+            run(
+                f"""
+                until = "t = 1 us"
+                ground.curves.ring = {{ x = "(1 m)*(1 + 0.2*cos(5*s) + 0.1*sin(2*s))*cos(s)", y = "(1 m)*(1 + 0.2*cos(5*s) + 0.1*sin(2*s))*sin(s)", from = 0, to = "2*pi", closed = true, side = "{"left" if inside else "right"}" }}
+                bodies.p = {{ mass = "1 kg", at = ["{x} m", "{y} m"] }}
+                contacts.c = {{ touch = ["p", "ground.ring"] }}
+                events.begin = "start"
+                ask.gap = {{ of = "c.gap", at = "begin", unit = "m" }}
+                """
+            ),
+            "gap",
+        )
+        assert gap == pytest.approx(least, abs=1e-9)
+
+
+# ---- several feet, and parting ----
+
+
+@pytest.mark.parametrize("route", ["auto", "rk"])
+def test_a_wheel_in_a_narrow_hollow_rests_on_both_sides(route: str) -> None:
+    """R = 1 m in y = x^2: at feet s = sqrt(3)/2 the centre is 1.25 m high; each foot carries m g / (2 cos) = m g."""
+    result = run(
+        """
+        until = "t = 2 s"
+        ground.curves.bowl = { x = "(1 m)*s", y = "(1 m)*s^2", from = -3, to = 3 }
+        bodies.p = { disk = "1 m", mass = "2 kg", at = ["0.2 m", "2 m"] }
+        contacts.c = { touch = ["p.rim", "ground.bowl"] }
+        ask.x = { of = "p.x", unit = "m" }
+        ask.y = { of = "p.y", unit = "m" }
+        ask.N = { of = "c.normal", unit = "N" }
+        ask.feet = "c.closed"
+        """,
+        route,
+    )
+    assert number(result, "feet") == 2
+    assert number(result, "x") == pytest.approx(0, abs=1e-9)
+    assert number(result, "y") == pytest.approx(1.25, rel=1e-9)
+    assert number(result, "N") == pytest.approx(4 * G, rel=1e-9)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_point_leaves_a_round_hill_where_it_must(route: str) -> None:
+    """It slides from an angle a off the top of a circle, and parts where cos b = 2/3 cos a."""
+    result = run(
+        """
+        until = "c opens"
+        ground.curves.hill = { ellipse = ["2 m", "2 m"], side = "right" }
+        bodies.p = { mass = "1 kg", at = { polar = ["2 m", "80 deg"] } }
+        contacts.c = { touch = ["p", "ground.hill"] }
+        ask.y = { of = "p.y", unit = "m" }
+        """,
+        route,
+    )
+    assert number(result, "y") == pytest.approx(4 / 3 * math.sin(math.radians(80)), rel=close(route))
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_roller_lifts_off_its_cam_where_it_would_be_pulled(route: str) -> None:
+    """Eccentric by e: y = e cos a + sqrt(L^2 - e^2 sin^2 a), L of both radii; it parts where y'' = -g."""
+    e, both, rate = 0.02, 0.06, 25.0
+    result = run(
+        f"""
+        until = "c opens"
+        bodies.cam = {{ inertia = "1 kg*m^2", mass = "1 kg", at = [0, 0], driven.angle = "({rate} rad/s)*t", curves.profile = {{ ellipse = ["50 mm", "50 mm"], at = [0, "-20 mm"], side = "right" }} }}
+        bodies.roller = {{ disk = "10 mm", mass = "0.1 kg", at = [0, "40 mm"] }}
+        ground.lines.guide = {{ through = [0, 0], angle = "90 deg" }}
+        joints.axle = {{ pin = ["cam", "ground"] }}
+        joints.guide = {{ slider = ["roller", "ground.guide"], turning = false }}
+        contacts.c = {{ touch = ["roller.rim", "cam.profile"] }}
+        ask.t = "t"
+        """,
+        route,
+    )
+
+    def bend(angle: float) -> float:
+        """y'' over the rate squared, plus g likewise; the eccentric begins below."""
+        root = math.sqrt(both**2 - (e * math.sin(angle)) ** 2)
+        first = -(e**2) * math.sin(angle) * math.cos(angle) / root
+        second = -(e**2) * (math.cos(angle) ** 2 - math.sin(angle) ** 2) / root - first**2 / root
+        return e * math.cos(angle) + second + G / rate**2
+
+    angle = brentq(bend, 0.3, math.pi - 0.01, xtol=1e-15)
+    assert number(result, "t") == pytest.approx(angle / rate, rel=1e-8)
+
+
+# ---- ends ----
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_point_flies_off_the_end_of_a_ramp(route: str) -> None:
+    """Down from 1 m to the lip at (1, 1/4) with the slope 1/2, and on as thrown."""
+    result = run(
+        """
+        until = "p.y < -2 m"
+        ground.curves.ramp = { x = "(1 m)*s", y = "(0.25 m)*s^2", from = -3, to = 1 }
+        bodies.p = { mass = "2 kg", at = ["-2 m", "1 m"] }
+        contacts.c = { touch = ["p", "ground.ramp"] }
+        ask.x = { of = "p.x", unit = "m" }
+        """,
+        route,
+    )
+    v = math.sqrt(2 * G * 0.75)
+    vx, vy = v / math.hypot(1, 0.5), v / 2 / math.hypot(1, 0.5)
+    t = (vy + math.sqrt(vy**2 + 2 * G * 2.25)) / G
+    assert result.status == "ok"
+    assert number(result, "x") == pytest.approx(1 + vx * t, rel=1e-9)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("friction", ['"rough"', "0.3", '"smooth"'])
+def test_a_disk_goes_over_the_end_of_a_curve_as_over_that_of_a_line(route: str, friction: str) -> None:
+    common = f"""
+        until = "p.y < -2 m"
+        bodies.p = {{ disk = "0.5 m", mass = "2 kg", at = ["0.3 m", "0.5 m"] }}
+        contacts.c = {{ touch = ["p.rim", "ground.ramp"], friction = {friction} }}
+        start.p.velocity.x = "0.3 m/s"
+        start.p.omega = "-0.6 rad/s"
+        ask.x = {{ of = "p.x", unit = "m" }}
+        ask.w = {{ of = "p.omega", unit = "rad/s" }}
+    """
+    line = run('ground.lines.ramp = { from = ["-3 m", 0], to = ["1 m", 0] }\n' + common, route)
+    curve = run('ground.curves.ramp = { x = "(1 m)*s", y = "(0 m)*s", from = -3, to = 1 }\n' + common, route)
+    assert line.status == curve.status == "ok"
+    for ask in ("x", "w"):
+        assert number(curve, ask) == pytest.approx(number(line, ask), rel=1e-8, abs=1e-8)
+
+
+# ---- curves that move ----
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_bowl_that_moves_keeps_energy_and_momentum(route: str) -> None:
+    """A bead in a bowl on a smooth rail: what it slides with, what it strikes with, and the bowl."""
+    result = run(
+        """
+        until = "t = 2 s"
+        bodies.bowl = { mass = "3 kg", inertia = "1 kg*m^2", at = [0, 0], curves.inside = { x = "(1 m)*s", y = "(0.5 m)*s^2", from = -3, to = 3 } }
+        bodies.bead = { mass = "1 kg", at = ["1 m", "0.9 m"] }
+        ground.lines.rail = { through = [0, 0], angle = 0 }
+        joints.rail = { slider = ["bowl", "ground.rail"], turning = false }
+        contacts.c = { touch = ["bead", "bowl.inside"], restitution = 1 }
+        events.hit = "c strikes"
+        ask.E = { of = "energy.total", unit = "J" }
+        ask.p = { of = "momentum.x", unit = "N*s" }
+        ask.n = "hit.count"
+        """,
+        route,
+    )
+    assert number(result, "n") > 2
+    assert number(result, "E") == pytest.approx(0.9 * G, rel=1e-9)
+    assert number(result, "p") == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_free_body_in_a_free_ring_keeps_what_must_be_kept(route: str) -> None:
+    result = run(
+        """
+        plane = "horizontal"
+        until = "t = 3 s"
+        bodies.ring = { mass = "2 kg", inertia = "3 kg*m^2", at = [0, 0], curves.inside = { ellipse = ["2 m", "1 m"] } }
+        bodies.disk = { disk = "0.3 m", mass = "1 kg", at = ["0.4 m", 0] }
+        contacts.c = { touch = ["disk.rim", "ring.inside"], restitution = 1 }
+        start.disk.velocity = ["1 m/s", "2 m/s"]
+        start.ring.omega = "0.5 rad/s"
+        events.hit = "c strikes"
+        ask.E = { of = "energy.kinetic", unit = "J" }
+        ask.H = { of = "angular_momentum", unit = "kg*m^2/s" }
+        ask.n = "hit.count"
+        """,
+        route,
+    )
+    assert number(result, "n") > 1
+    assert number(result, "E") == pytest.approx(2.5 + 0.375, rel=1e-9)
+    assert number(result, "H") == pytest.approx(0.8 + 1.5, rel=1e-9)
+
+
+# ---- messages ----
+
+
+@pytest.mark.parametrize(
+    ("curve", "touch", "says"),
+    [
+        ('{ x = "(2 m)*cos(s)", y = "(1 m)*sin(2*s)", from = 0, to = "2*pi", closed = true }', '["p.rim", "ground.c"]', "crosses itself"),
+        ('{ x = "(1 m)*s", y = "(0.015 m)*cos(60*s)", from = 0, to = 10 }', '["p.rim", "ground.c"]', "bends too sharply"),
+        ('{ ellipse = ["2 m", "1 m"], side = "right" }', '["p.rim", "ground.c"]', "overlap"),
+        ('{ ellipse = ["2 m", "1 m"] }', '["p.edge", "ground.c"]', "a curve and a line do not touch"),
+        ('{ ellipse = ["2 m", "1 m"] }', '["p.rim", "ground.c"], capture = "pin"', "a curve captures nothing"),
+    ],
+)  # fmt: skip
+def test_what_cannot_touch_is_told(curve: str, touch: str, says: str) -> None:
+    with pytest.raises((SceneError, SimulationError), match=says):
+        run(
+            f"""
+            until = "t = 1.2 s"
+            ground.curves.c = {curve}
+            bodies.p = {{ disk = "0.1 m", mass = "1 kg", at = [0, 0], lines.edge = {{ through = [0, 0], angle = 0 }} }}
+            contacts.k = {{ touch = {touch} }}
+            ask.x = {{ of = "p.x", unit = "m" }}
+            """
+        )
