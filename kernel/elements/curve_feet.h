@@ -16,8 +16,9 @@ typedef struct pm_curve_course {
     pm_curve_node node[PM_CURVE_NODES + 1];
     double pace; /* m: of the longest way from node to node */
     double size; /* m: of its extent */
-    double fine; /* m: of the shortest way along which its tangent turns by PM_CURVE_TURN; no more than its size */
-    double far;  /* m: of the node farthest from its point */
+    double
+        fine; /* m: of the shortest way along which its tangent turns by PM_CURVE_TURN; no more than its size */
+    double far; /* m: of the node farthest from its point */
 } pm_curve_course;
 
 /* Places of feet that are not looked for, in s. */
