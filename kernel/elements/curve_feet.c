@@ -137,12 +137,19 @@ static int is_taken(const pm_curve_search *f, double s)
     return 0;
 }
 
+/* Beside what touches at another foot: the far side of a body is seen from within.  No circle sinks in as far between two
+ * samples of a step (events/gap_culling.h). */
+static int is_behind(const pm_curve_search *f, double height)
+{
+    return f->taken->n > 0 && height < -f->frame->numbers->course[f->curve].fine;
+}
+
 /* Keeps what was found if it is nearer than all before. */
 static void keep(pm_curve_search *f, const pm_curve_place *foot, int end, double distance,
                  pm_curve_near *near)
 {
-    if (!(distance < f->best) || is_taken(f, foot->s)) return;
     const double d[2] = {f->x[0] - foot->p[0], f->x[1] - foot->p[1]}, way = pm_dot(d, foot->t);
+    if (!(distance < f->best) || is_taken(f, foot->s) || is_behind(f, pm_dot(d, foot->n))) return;
     f->best = distance;
     *near = (pm_curve_near){.foot = *foot,
                             .height = pm_dot(d, foot->n),

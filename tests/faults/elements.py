@@ -16,6 +16,12 @@ FAULTS = [
         "if (off < 0) return 1;",
     ),
     Fault(
+        "curves: the far side of a body is touched",
+        "elements/curve_feet.c",
+        "return f->taken->n > 0 && height <",
+        "return f->taken->n > 9 && height <",
+    ),
+    Fault(
         "curves: what touches does not feel how they bend",
         "elements/constraint_curve.c",
         "l.foot.bend * l.along * l.along / slope;",
@@ -28,10 +34,10 @@ FAULTS = [
         "pm_curve_way(frame, c->curve, from, to->s) - 0 * turned;",
     ),
     Fault(
-        "curves: a circle falls off the end without its corner",
+        "curves: a circle goes round the end where the curve is drawn from",
         "elements/contact_curve.c",
-        "return member < PM_CURVE_NODES / 2 ? PM_CURVE_FROM_END : PM_CURVE_TO_END;",
-        "return PM_NONE;",
+        "normal->b[k] += at->p[k];",
+        "normal->b[k] += 0 * at->p[k];",
     ),
     Fault(
         "curves: what comes from behind touches",

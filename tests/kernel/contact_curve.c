@@ -100,6 +100,30 @@ static void rests_on_two(int route)
     scene_free(s);
 }
 
+/* A roller on a turning ellipse, whose far side has a foot as well. */
+static void stays_on_the_near_side(int route)
+{
+    scene *s = scene_create();
+    const int cam = scene_body(s, 1, 1e3, 0, 0, 0), roller = scene_body(s, 0.1, 5e-4, 0, 0.42, 0);
+    const scene_code place = scene_m(scene_measure(s, PM_MEASURE_PLACE, PM_NONE));
+    const int x = SCENE_PROGRAM(s, scene_k(s, 0.5), place, scene_op(PM_OP_COS), scene_op(PM_OP_MUL)),
+              y = SCENE_PROGRAM(s, scene_k(s, 0.3), place, scene_op(PM_OP_SIN), scene_op(PM_OP_MUL));
+    const int curve = SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, cam, 0.1, 0), x, y, scene_value(s, 0),
+                                scene_value(s, 2 * acos(-1.)), 1, -1);
+    const int g = scene_point(s, roller, 0, 0), axle = scene_point(s, PM_GROUND, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, cam, 0, 0), axle, 0);
+    scene_joint(s, PM_JOINT_SLIDER_FIXED, g, scene_line(s, axle, acos(-1.) / 2), 0);
+    const int contact = touch(s, roller, 0.1, curve, 0, PM_FRICTION_SMOOTH);
+    scene_start_omega(s, cam, 2);
+    scene_until_time(s, 0.3);
+    const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, contact));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[closed], 1);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9 && s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+    scene_free(s);
+}
+
 /* ---- rolling ---- */
 /* From x0 to the bottom of y = a x^2/2, held by a joint or by friction that never slips. */
 static void rolls(int route, int joint)
@@ -178,6 +202,7 @@ int main(void)
     gaps(-1);
     for (int k = 0; k < 3; k++) {
         if (k < 2) rests_on_two(routes[k]);
+        stays_on_the_near_side(routes[k]);
         rolls(routes[k], 0);
         rolls(routes[k], 1);
         goes_over(routes[k], 0, PM_FRICTION_SMOOTH);

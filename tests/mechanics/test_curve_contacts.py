@@ -289,7 +289,7 @@ def test_gaps_are_those_to_the_nearest_place() -> None:
 # ---- several feet, and parting ----
 
 
-@pytest.mark.parametrize("route", ["auto", "rk"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_wheel_in_a_narrow_hollow_rests_on_both_sides(route: str) -> None:
     """R = 1 m in y = x^2: at feet s = sqrt(3)/2 the centre is 1.25 m high; each foot carries m g / (2 cos) = m g."""
     result = run(
@@ -354,6 +354,47 @@ def test_a_roller_lifts_off_its_cam_where_it_would_be_pulled(route: str) -> None
 
     angle = brentq(bend, 0.3, math.pi - 0.01, xtol=1e-15)
     assert number(result, "t") == pytest.approx(angle / rate, rel=1e-8)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_the_far_side_of_a_cam_is_not_touched(route: str) -> None:
+    """A roller stays on a turning ellipse, whose far side has feet as well: their way on the follower's line is the height."""
+    result = run(
+        """
+        until = "t = 4 s"
+        bodies.cam = { inertia = "1 kg*m^2", mass = "1 kg", at = [0, 0], driven.angle = "(2 rad/s)*t", curves.profile = { ellipse = ["0.5 m", "0.3 m"], at = ["0.1 m", 0], side = "right" } }
+        bodies.roller = { disk = "0.1 m", mass = "0.1 kg", at = [0, "0.42 m"] }
+        ground.lines.guide = { through = [0, 0], angle = "90 deg" }
+        joints.axle = { pin = ["cam", "ground"] }
+        joints.guide = { slider = ["roller", "ground.guide"], turning = false }
+        contacts.c = { touch = ["roller.rim", "cam.profile"] }
+        ask.y = { of = "roller.y", unit = "m" }
+        ask.most = { max = "roller.y", unit = "m" }
+        ask.closed = "c.closed"
+        """,
+        route,
+    )
+
+    def height(angle: float) -> float:
+        """Of the centre over the axle: on the curve parallel to the ellipse, turned, at x = 0; the upper place."""
+
+        def place(s: float) -> tuple[float, float]:
+            size = math.hypot(0.3 * math.cos(s), 0.5 * math.sin(s))
+            x = 0.1 + 0.5 * math.cos(s) + 0.1 * 0.3 * math.cos(s) / size
+            y = 0.3 * math.sin(s) + 0.1 * 0.5 * math.sin(s) / size
+            return x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)
+
+        places = np.linspace(0, 2 * math.pi, 400)
+        roots = [
+            brentq(lambda s: place(s)[0], a, b, xtol=1e-15)
+            for a, b in itertools.pairwise(places)
+            if place(a)[0] * place(b)[0] <= 0
+        ]
+        return max(place(root)[1] for root in roots)
+
+    assert number(result, "closed") == 1
+    assert number(result, "y") == pytest.approx(height(8), rel=close(route))
+    assert number(result, "most") == pytest.approx(0.7, rel=1e-9)
 
 
 # ---- ends ----

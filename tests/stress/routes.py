@@ -64,7 +64,10 @@ class Outcome:
 
 def sources() -> list[Source]:
     """Studies and benchmark scenes, and those of the chapter."""
-    return [*scenes(), *((path.stem, partial(planemotion.load, path)) for path in sorted(CHAPTER.glob("*.toml")))]
+    return [
+        *scenes(),
+        *((path.stem, partial(planemotion.load, path)) for path in sorted(CHAPTER.glob("*.toml"))),
+    ]
 
 
 def outcome(source: Source) -> Outcome:
