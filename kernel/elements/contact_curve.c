@@ -24,6 +24,13 @@ int pm_contact_curve_any(const pm_model *m)
     return 0;
 }
 
+int pm_contact_curve_is_closed(const pm_model *m, const pm_state *s, int contact)
+{
+    for (int i = m->contact_slot[contact]; i < m->contact_slot[contact] + PM_PATTERN_SLOTS; i++)
+        if (s->slot[i].mode != PM_OPEN) return 1;
+    return 0;
+}
+
 static int curve_of(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_B]; }
 
 int pm_contact_curve_ends(const pm_model *m, int contact)

@@ -101,11 +101,17 @@ static double step_of(const pm_curve_place *x, double way)
     return 2 * way / (x->rate + copysign(root, x->rate));
 }
 
+/* The longest way on which the foot stays one, and the next is not come to: part of that to where the slope 1 - bend h is 0. */
+static double way_of_basin(const pm_curve_place *x, double height, double slope)
+{
+    return slope > PM_CURVE_CENTRE ? PM_CURVE_BASIN * slope / fabs(x->bend_rate * height) : INFINITY;
+}
+
 /* The way to the foot as Newton's method has it; beyond the centre of curvature as far as may be. */
 static double way_to_foot(const pm_curve_place *x, const double d[2])
 {
-    const double along = pm_dot(d, x->t), slope = 1 - x->bend * pm_dot(d, x->n);
-    const double most = way_of_turn(x, PM_CURVE_STEP);
+    const double along = pm_dot(d, x->t), height = pm_dot(d, x->n), slope = 1 - x->bend * height;
+    const double most = fmin(way_of_turn(x, PM_CURVE_STEP), way_of_basin(x, height, slope));
     if (slope > PM_CURVE_CENTRE && fabs(along) < most * slope) return along / slope;
     return copysign(most, along);
 }

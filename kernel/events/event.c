@@ -136,6 +136,8 @@ static void add_gap(pm_workspace *w, int contact)
         w->numbers.size);
     f->below = (pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact)) ||
                pm_contact_curve_is_below(&w->frame, &w->state, contact);
+    f->born =
+        pm_contact_curve_is(w->model, contact) && pm_contact_curve_is_closed(w->model, &w->state, contact);
     if (pm_contact_is_pattern(w->model, contact)) f->pattern = e->npattern++;
     if (pm_edge_is(w->model, contact) && !f->owned && is_open(w, contact)) f->edge = e->nedge++;
 }

@@ -44,6 +44,7 @@ typedef struct pm_event_function {
     int held;       /* zero when the phase began, or just fired: must first be left */
     int every;      /* the samples are places along multiples: see pm_event_sample */
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
+    int born;       /* of a gap beside a foot that is closed: another foot may come to be at any distance */
     int below;      /* of a gap: the mark was below its edge when the phase began */
     double sunk;    /* of a gap: by how much it was below zero as it parted; from there it counts */
     double since;   /* x from which it is held */

@@ -130,7 +130,7 @@ static void keep_gaps(const pm_model *model, pm_event_set *e)
 {
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        if (f->kind == FUNCTION_GAP && pm_event_samples_wanted(e, f))
+        if (f->kind == FUNCTION_GAP && !f->born && pm_event_samples_wanted(e, f))
             pm_gap_culling_keep(&e->culling, model, f->index, *pm_event_samples(e, i));
     }
 }

@@ -69,6 +69,7 @@
 #define PM_CURVE_STEPS 40 /* of such a search; more would only put off that it is given up */
 #define PM_CURVE_PART 0.1 /* of the parameter's range in one step, where the tangent tells nothing; larger: a foot may be passed */
 #define PM_CURVE_CENTRE 0.05 /* of the radius of curvature: so near its centre a foot is no longer well determined; larger: more steps */
+#define PM_CURVE_BASIN 0.5 /* of the way to where a foot ends: a step of the search for it; larger: in hollows it may leave for another foot */
 #define PM_CURVE_LAST 1e-8 /* rad: a step after which the foot is exact, since errors square; larger: what rolls or sticks is told to jump, and ida creeps */
 #define PM_CURVE_FOUND 8 /* roundings of a place: a step that gains nothing; larger: feet less exact */
 #define PM_CURVE_SAMPLES 256 /* places at which a whole curve is looked at; fewer: feet on wavy curves are missed, cusps too */

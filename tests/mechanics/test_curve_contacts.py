@@ -312,6 +312,29 @@ def test_a_wheel_in_a_narrow_hollow_rests_on_both_sides(route: str) -> None:
 
 
 @pytest.mark.parametrize("route", ROUTES)
+def test_a_wheel_that_slides_into_a_narrow_hollow_strikes_its_other_side(route: str) -> None:
+    """Its first foot has next to ended there: it must not be taken for the second.  The least gap tells of any overlap."""
+    result = run(
+        """
+        until = "t = 1.5 s"
+        ground.curves.ring = { x = "(1 m)*(1 + 0.101*cos(5*s + 5.80) + 0.083*cos(5*s + 4.54))*cos(s)", y = "(1 m)*(1 + 0.101*cos(5*s + 5.80) + 0.083*cos(5*s + 4.54))*sin(s)", from = 0, to = "2*pi", closed = true }
+        bodies.p = { disk = "0.3 m", mass = "1 kg", at = [0, 0] }
+        contacts.c = { touch = ["p.rim", "ground.ring"] }
+        start.p.velocity = ["-0.594 m/s", "2.325 m/s"]
+        ask.x = { of = "p.x", unit = "m" }
+        ask.y = { of = "p.y", unit = "m" }
+        ask.gap = { min = "c.gap", unit = "m" }
+        """,
+        route,
+    )
+    assert number(result, "gap") > -1e-7
+    s = np.linspace(0, 2 * math.pi, 200001)
+    r = 1 + 0.101 * np.cos(5 * s + 5.80) + 0.083 * np.cos(5 * s + 4.54)
+    apart = np.hypot(number(result, "x") - r * np.cos(s), number(result, "y") - r * np.sin(s))
+    assert apart.min() > 0.3 - 1e-7
+
+
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_point_leaves_a_round_hill_where_it_must(route: str) -> None:
     """It slides from an angle a off the top of a circle, and parts where cos b = 2/3 cos a."""
     result = run(
