@@ -68,7 +68,7 @@ FAULTS = [
     Fault(
         "edge: what is behind it stays there",
         "events/event.c",
-        "return f->below ? pm_edge_gap_from_below(&w->frame, f->index) : gap + f->sunk;",
+        "return f->below ? gap_from_below(w, f->index) : gap + f->sunk;",
         "return gap + f->sunk;",
     ),
     Fault(

@@ -106,7 +106,8 @@ class Sketch:
         return (float(places[k, 0]), float(places[k, 1])), math.atan2(step[1], step[0])
 
     def _along(self, mark: CurveMark) -> np.ndarray:
-        return np.linspace(*(self.number(bound) for bound in mark.bounds), _OF_CURVE + 1)
+        first, last = (self.number(bound) for bound in mark.bounds)
+        return np.linspace(first, last, _OF_CURVE + 1)
 
     def _places(self, owner: str, mark: CurveMark, values: np.ndarray) -> np.ndarray:
         return np.array([self.place(owner, mark.at(Number(float(s)))) for s in values])
