@@ -88,6 +88,7 @@ stress: setup
 	$(BIN)/python -m tests.stress.tables --threads
 	$(BIN)/python -m tests.stress.files $(FILES)
 	$(BIN)/python -m tests.stress.drift $(DRIFT)
+	$(BIN)/python -m tests.stress.routes $(ROUTES)
 
 faults:
 	@.ci/setup --tools

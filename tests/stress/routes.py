@@ -1,8 +1,8 @@
-"""`python -m tests.stress.routes`: whether `ida` agrees with the default on every study and benchmark scene.
+"""`python -m tests.stress.routes`: whether `ida` agrees with the default on studies and benchmark scenes.
 
-A part of `make stress`.  Each scene runs at accuracy 1e-10 on both, in a process with a limit of its time; of a sweep
-some cases from its first to its last.  Differences are relative; an answer that cancels, or that the default cannot
-tell from zero, is compared with the greatest figure of its unit.
+A part of `make stress`.  Each scene runs at accuracy 1e-10 on both, in a process with a limit of its time;
+of a sweep some cases from its first to its last.  Differences are relative; an answer that cancels, or that
+the default cannot tell from zero, is compared with the greatest figure of its unit, in SI where all are zero.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing.connection import Connection
-from pathlib import Path
 
 import numpy as np
 from rich.console import Console
@@ -40,8 +39,12 @@ ACCURACY, AGREES = 1e-10, 1e-8
 PATIENCE = 60
 WORDS = ("agrees", "declined", "told", "differs", "no answer")
 WRONG = ("differs", "no answer")
-# What is not mended: scene, why.
-EXPLAINED: dict[str, str] = {}
+# Of these ida has no answer, or one that its estimate covers: scene, why.
+EXPLAINED = {
+    "17-076": "a find of many runs: one of them, where it was found, is compared in tests/chapter17",
+    "17-C3": "errors of energy grow 40 000 times in the last speed: its file asks for 1e-13",
+    "17-C5": "a dead centre, which ida does not pass; the default passes it by work and energy",
+}
 
 Source = tuple[str, Callable[[], planemotion.Scene]]
 
@@ -103,7 +106,7 @@ def compared(name: str, make: Callable[[], planemotion.Scene]) -> Outcome:
     try:
         flat = _flat(scene, "ida")
     except SceneError as error:
-        return Outcome(name, "declined", str(error))
+        return Outcome(name, "declined", str(error).rsplit("solve.route", 1)[-1])
     other = call.run_cases(flat, param)
     spent = time.process_time() - begun
     for status in other.status:
@@ -127,7 +130,7 @@ def _flat(scene: planemotion.Scene, route: str) -> FlatScene:
 
 def _message(flat: FlatScene, results: CaseResults) -> str:
     worst = int(np.argmax(results.status != layout.PM_OK))
-    return messages.message(flat, results, worst)
+    return messages.message(flat, results, worst).removeprefix(f"{flat.file}: ")
 
 
 def sizes(flat: FlatScene, out: Floats, error: Floats) -> Floats:
@@ -137,10 +140,11 @@ def sizes(flat: FlatScene, out: Floats, error: Floats) -> Floats:
     found = size.copy()
     for word in set(unit):
         of = unit == word
-        greatest = np.broadcast_to(np.max(size[:, of], axis=1, keepdims=True), size[:, of].shape)
+        most = np.max(size[:, of], axis=1, keepdims=True)
+        greatest = np.broadcast_to(np.where(most > CANCELS, most, 1.0), size[:, of].shape)
         small = (size[:, of] <= CANCELS * greatest) | (size[:, of] <= np.nan_to_num(error[:, of]))
         found[:, of] = np.where(small, greatest, size[:, of])
-    return np.where(found > 0, found, 1.0)
+    return found
 
 
 def outcomes(of: Sequence[Source]) -> Iterator[Outcome]:
@@ -158,12 +162,12 @@ def main() -> int:
 
 
 def show(found: Sequence[Outcome]) -> None:
-    """How many ended how, and each that does not simply agree."""
+    """How many ended how, and each that ida takes and that does not simply agree."""
     shown = Table(title=f"ida beside the default at {ACCURACY:g}: {len(found)} scenes, to {AGREES:g}")
     for word in ("scene", "", "greatest difference", "told", "of"):
         shown.add_column(word)
     for one in found:
-        if one.word == "agrees":
+        if one.word in ("agrees", "declined"):
             continue
         style = "red" if one.is_wrong else ""
         numbers = [f"{one.difference:.1e}", f"{one.told:.1e}"] if one.difference else ["", ""]

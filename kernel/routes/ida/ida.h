@@ -66,6 +66,8 @@ typedef struct pm_ida_rounding {
     double *own;      /* [n] of the numbers themselves */
     double *residual; /* [n] of what is left of the equations */
     double *shift;    /* [n] scratch */
+    double *
+        driven; /* [nconstraint][2] greatest rate that was prescribed in the phase, and greatest rate of it */
 } pm_ida_rounding;
 
 typedef struct pm_ida {
@@ -165,7 +167,7 @@ void pm_ida_sparse_solve(const pm_model *model, pm_ida *ida, const double *b, do
                          double *mu);
 
 /* ---- ida_rounding.c ---- */
-int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, int most);
+int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, const pm_model *m, int most);
 /* Of all unknowns at y, where the constraints are evaluated; slope: d(G v)/dq, or NULL where it is not known. */
 void pm_ida_rounding_find(pm_workspace *w, const double *y, const double *slope);
 /* The same where the last matrix, which has just been factored, makes more of it. */

@@ -1,20 +1,21 @@
 /* ida_rounding.c - how far rounding moves the unknowns of ida_system.c.
  *
  * The terms of the residual are known to eps of themselves: of a constraint to eps sum |G_k| (|q_k| + size), of its rate
- * likewise, of y' to eps cj y.  What meets the equations to that moves about by J^-1 of it, a light wheel on a long cord by
- * many times its own rounding.  J^-1 is applied to such residuals with several patterns of signs; until the first factors
- * are there each constraint is taken alone: W |G| r / (G W G^T). */
+ * likewise, of what is prescribed at t to eps t times its rate, of y' to eps cj y.  What meets the equations to that moves
+ * about by J^-1 of it, a light wheel on a long cord by many times its own rounding.  J^-1 is applied to such residuals with
+ * several patterns of signs; until the first factors are there each constraint is taken alone: W |G| r / (G W G^T). */
 #include <math.h>
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "elements/drive.h"
 #include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
 #include "state/workspace.h"
 
 #define PATTERNS 3 /* of signs */
 
-int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, int most)
+int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, const pm_model *m, int most)
 {
     const size_t n = (size_t)most + 1;
     const pm_array array[] = {
@@ -22,6 +23,7 @@ int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, int most)
         PM_ARRAY(x->own, n),
         PM_ARRAY(x->residual, n),
         PM_ARRAY(x->shift, n),
+        PM_ARRAY(x->driven, 2 * (size_t)m->nconstraint + 1),
     };
     return pm_arena_take(arena, PM_ARRAYS(array));
 }
@@ -55,17 +57,34 @@ static void of_numbers(const pm_model *m, const pm_ida *r, const double *y, doub
     }
 }
 
+/* What is prescribed moves so fast, and as hard, as it ever did in the phase: at this very instant it may do neither. */
+static const double *drive(pm_workspace *w, int i)
+{
+    double *driven = w->ida->rounding.driven + 2 * i;
+    const pm_constraint *c = &w->active.constraint[i];
+    driven[0] = fmax(driven[0], fabs(c->rate));
+    driven[1] = fmax(driven[1], fabs(pm_drive_of(&w->frame, c).change));
+    return driven;
+}
+
 void pm_ida_rounding_find(pm_workspace *w, const double *y, const double *slope)
 {
     const pm_model *m = w->model;
     pm_ida_rounding *x = &w->ida->rounding;
     const int nq = m->nq, l = pm_ida_place_l(m), mu = pm_ida_place_mu(m, w->ida);
+    const double of_time = PM_EPSILON * fabs(w->frame.t);
     of_numbers(m, w->ida, y, x->own);
     memcpy(x->all, x->own, (size_t)w->ida->n * sizeof *x->all);
     for (int i = 0; i < w->active.n; i++) {
         const pm_constraint *c = &w->active.constraint[i];
-        const double square = pm_constraint_square(&w->frame, c), open = of_sum(m, c, x->own);
+        const double square = pm_constraint_square(&w->frame, c);
+        double open = of_sum(m, c, x->own);
         double slip = of_sum(m, c, x->own + nq);
+        if (c->drive != PM_NONE) {
+            const double *driven = drive(w, i);
+            open += of_time * driven[0];
+            slip += of_time * driven[1];
+        }
         for (int k = 0; slope && k < nq; k++) slip += fabs(slope[i * nq + k]) * x->own[k];
         pass_on(&w->frame, c, open / square, x->all);
         pass_on(&w->frame, c, slip / square, x->all + nq);

@@ -30,6 +30,7 @@ void pm_ida_system_layout(pm_workspace *w)
     pm_ida *r = w->ida;
     r->stride = PM_IDA_STOCK ? w->model->nconstraint : w->active.n;
     r->n = 2 * w->model->nq + w->model->nz + 2 * r->stride;
+    memset(r->rounding.driven, 0, 2 * (size_t)w->model->nconstraint * sizeof(double));
     r->jacobian.sparse = pm_ida_sparse_serves(w->model, &w->active);
 }
 

@@ -132,7 +132,7 @@ static int create(pm_workspace *w)
     if (!r->memory) return PM_NO_MEMORY;
     const pm_array array[] = {PM_ARRAY(r->weight, r->most + 1)};
     int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
-    if (!status) status = pm_ida_rounding_create(&w->memory, &r->rounding, r->most);
+    if (!status) status = pm_ida_rounding_create(&w->memory, &r->rounding, w->model, r->most);
     if (!status) status = pm_ida_jacobian_create(&w->memory, &r->jacobian, m);
     if (!status) status = create_vectors(w->model, w->ida);
     if (!status) status = set_up(w);
