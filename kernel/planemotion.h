@@ -97,7 +97,9 @@ enum pm_ask_kind {
     PM_ASK_INTEGRAL = 8,
     PM_ASK_MEAN = 9, /* the integral over the time in which the condition holds: over all time without one */
     PM_ASK_RMS = 10, /* root of the mean of the square of program, likewise */
-    PM_ASK_KINDS = 11
+    /* the value below which program is for a part of that time: value index first_value, 0 < part < 1 */
+    PM_ASK_PERCENTILE = 11,
+    PM_ASK_KINDS = 12
 };
 enum pm_ask_column {
     PM_ASK_KIND = 0,

@@ -22,11 +22,12 @@ typedef struct pm_ask_set {
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
     int *switches; /* [nask] places where the watched program may change its branch, as far as known */
     int *dips;     /* [nask] whether it has no extremes there */
-    struct pm_integral *integral; /* [nask] (integral.h) */
-    int fresh;                    /* something was filled since */
-    void *solver;                 /* gsl_root_fsolver */
-    void *minimum;                /* gsl_min_fminimizer */
-    void *quadrature;             /* gsl_integration_workspace */
+    struct pm_integral *integral;     /* [nask] (integral.h) */
+    struct pm_percentile *percentile; /* [nask] (percentile.h) */
+    int fresh;                        /* something was filled since */
+    void *solver;                     /* gsl_root_fsolver */
+    void *minimum;                    /* gsl_min_fminimizer */
+    void *quadrature;                 /* gsl_integration_workspace */
 } pm_ask_set;
 
 int pm_ask_create(pm_workspace *w);

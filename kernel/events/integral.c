@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "events/ask.h"
+#include "events/percentile.h"
 #include "events/step.h"
 #include "events/switch_search.h"
 #include "events/watched_samples.h"
@@ -30,12 +31,14 @@ int pm_integral_create(pm_workspace *w)
     const pm_array array[] = {PM_ARRAY(a->integral, w->model->nask)};
     a->quadrature = gsl_integration_workspace_alloc(INTERVALS);
     if (pm_arena_keep(&w->memory, a->quadrature, quadrature_free)) return PM_NO_MEMORY;
+    if (pm_percentile_create(w)) return PM_NO_MEMORY;
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 void pm_integral_reset(pm_workspace *w)
 {
     memset(w->ask->integral, 0, (size_t)w->model->nask * sizeof *w->ask->integral);
+    pm_percentile_reset(w);
 }
 
 /* ---- one program over a piece of the step ---- */
@@ -168,6 +171,7 @@ static void find_cuts(pm_workspace *w, int ask, pm_integral_cuts *x)
 
 /* ---- a step ---- */
 static int is_squared(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_RMS; }
+static int is_percentile(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_PERCENTILE; }
 
 /* The samples of f, and how large it is. */
 static void read_nodes(pm_workspace *w, int ask, double *sample)
@@ -202,6 +206,7 @@ int pm_integral_step(pm_workspace *w, int ask)
         if (!(to > from)) continue;
         over_piece(&f, from, to, cut.n == 0, &x->sum, &x->error);
         if (condition >= 0) over_piece(&c, from, to, cut.n == 0, &x->weight, &nothing);
+        if (is_percentile(e) && pm_percentile_take(w, ask, from, to)) return PM_NO_MEMORY;
         from = to;
     }
     if (condition < 0) x->weight += s->end - s->begin;
@@ -222,7 +227,12 @@ double pm_integral_answer(pm_workspace *w, int ask)
     const pm_integral *x = &w->ask->integral[ask];
     const double mean = x->sum / divisor(x, e), value = is_squared(e) ? sqrt(fmax(mean, 0)) : mean;
     if (!(fabs(x->span - w->state.t) <= PM_INTEGRAL_ALL * w->state.t) || isnan(mean)) return NAN;
-    const double error = x->error / divisor(x, e);
+    double error = x->error / divisor(x, e);
+    if (is_percentile(e)) {
+        const double percentile = pm_percentile_answer(w, ask, &error);
+        pm_evidence_more(&w->evidence, e[PM_ASK_OUT], error);
+        return percentile;
+    }
     pm_evidence_more(&w->evidence, e[PM_ASK_OUT], is_squared(e) ? sqrt(mean + error) - sqrt(mean) : error);
     return value;
 }
@@ -265,5 +275,8 @@ void pm_integral_leap(pm_workspace *w, double time)
         x->sum += x->leap * time;
         x->weight += x->leap_weight * time;
         x->span += time;
+        if (!is_percentile(PM_ASK_ROW(w->model, w->ask->observer[i]))) continue;
+        if (pm_percentile_pass(w, w->ask->observer[i], x->leap, time))
+            w->ask->undefined[w->ask->observer[i]] = 1;
     }
 }

@@ -186,6 +186,9 @@
 #define PM_GRID_ROUNDING 1e-12 /* of the greatest watched value: so much of a grid value, of 0 too, is rounding; larger: as above */
 #define PM_INTEGRAL_ERROR 0.1 /* of the run's tolerance: what quadrature may add to an integral over the time; larger: less exact */
 #define PM_INTEGRAL_ROUNDING 1e-13 /* of an integral: less is rounding; larger: less exact, less: looks in vain */
+#define PM_PERCENTILE_INSIDE 1e-12 /* of a piece: so far from its ends values are read, on its own side of a switch; more: less exact */
+#define PM_PERCENTILE_PARTS 8 /* halvings of a step until a polynomial tells its values; more: more memory where they are not smooth */
+#define PM_PERCENTILE_HALVINGS 1100 /* halvings of a range: more than doubles have digits and exponents; more changes nothing */
 #define PM_INTEGRAL_ALL 1e-9 /* of the time of the run: so much of it an integral must cover; larger: parts may be missing */
 #define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
 #define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */

@@ -184,6 +184,8 @@ static int check_asks(pm_model *m, pm_where *where)
         if ((kind == PM_ASK_AT_MAX || kind == PM_ASK_AT_MIN || kind == PM_ASK_GRID) &&
             e[PM_ASK_PROGRAM_2] < 0)
             return pm_bad_table(where, PM_TABLE_ASK, i, e[PM_ASK_PROGRAM_2], m->rows[PM_TABLE_PROGRAM]);
+        if (kind == PM_ASK_PERCENTILE && e[PM_ASK_FIRST_VALUE] < 0)
+            return pm_bad_table(where, PM_TABLE_ASK, i, e[PM_ASK_FIRST_VALUE], 0);
         if (kind == PM_ASK_GRID && (e[PM_ASK_FIRST_VALUE] < 0 || e[PM_ASK_FIRST_VALUE] > m->nvalue - count))
             return pm_bad_table(where, PM_TABLE_ASK, i, (double)e[PM_ASK_FIRST_VALUE] + count, m->nvalue);
         if (count > INT32_MAX - m->nout) return pm_bad_table(where, PM_TABLE_ASK, i, count, INT32_MAX);

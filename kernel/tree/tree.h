@@ -217,6 +217,8 @@ void pm_tree_influence(const pm_tree *t);
 /* Accelerations of the bodies from those of the coordinates, and back; velocities are in the frame. */
 void pm_tree_spread_accelerations(const pm_tree *t, const pm_frame *frame, const double *yddot, double *a);
 void pm_tree_read_accelerations(const pm_tree *t, const pm_frame *frame, const double *a, double *yddot);
+/* Accelerations come cheaper from all constraints than from the coordinates; the tree is built (tree_cost.c). */
+int pm_tree_is_whole(const pm_workspace *w);
 /* After a choice of t->column: orders it, and finds where J_v may differ from zero. */
 void pm_tree_arrange(pm_tree *t);
 /* The factors of J_v, from the loop constraints' Jacobian of which only what moves a constraint, and the independent

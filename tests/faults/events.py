@@ -633,4 +633,28 @@ FAULTS = [
         "*unknown = longest - sum(last, e);",
         "*unknown = 0;",
     ),
+    Fault(
+        "percentile: what turns is one piece",
+        "events/percentile.c",
+        "    find_turns(&piece);\n",
+        "",
+    ),
+    Fault(
+        "percentile: the other side",
+        "events/percentile.c",
+        "fa < 0 ? root - a : fb < 0 ? b - root : 0",
+        "fa < 0 ? root - a : 0",
+    ),
+    Fault(
+        "percentile: the condition is not asked",
+        "events/percentile.c",
+        "return is_held(w, ask, from, to) ? take(w, ask, from, to, PM_PERCENTILE_PARTS) : PM_OK;",
+        "return take(w, ask, from, to, PM_PERCENTILE_PARTS);",
+    ),
+    Fault(
+        "percentile: the whole time counts",
+        "events/percentile.c",
+        "value_at(x, low, high, part * all)",
+        "value_at(x, low, high, part)",
+    ),
 ]

@@ -168,7 +168,7 @@ def test_integrals_are_swept() -> None:
         ('{ mean = "ball.y", at = "end" }', '"mean" is over the time of the whole run'),
         (
             '{ max = "ball.y", during = "t < (1 s)" }',
-            "it goes with integral, mean, rms, amplitude, phase, not with max",
+            "median, percentile, amplitude, phase, not with max",
         ),
         (
             '{ mean = "ball.y", max = "ball.y" }',

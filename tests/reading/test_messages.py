@@ -30,7 +30,7 @@ FAULTS = [
     ('bodies.Q = { disk = "1 m", length = "1 m" }', "bodies.Q.length: only a rod has length"),
     (
         'ask.a = { of = "AB.omega", att = "end" }',
-        'ask.a.att: unknown key (did you mean "at"?); an ask has of, max, min, integral, mean, rms, period, ',
+        'ask.a.att: unknown key (did you mean "at"?); an ask has of, max, min, integral, mean, rms, median, ',
     ),
     (
         "sweep.L = { from = 1, to = 2, nun = 3 }",
@@ -245,7 +245,7 @@ FAULTS = [
     ('ask.a = { max = "AB.omega", at = "end" }', "ask.a.at: an extreme over the run has no instant"),
     (
         "ask.a = {}",
-        "ask.a: one of of, max, min, integral, mean, rms, period, frequency, amplitude, phase",
+        "ask.a: one of of, max, min, integral, mean, rms, median, percentile, period, ",
     ),
     ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
     (

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from ..base.errors import SceneError
 from ..language.leaves import names
 from ..language.tree import Name, Node
-from ..model.tables import ASK_WORDS, Ask, At
+from ..model.tables import Ask, At
+from ..model.words import ASK_WORDS
 
 
 def in_order(

@@ -15,8 +15,8 @@ from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimensi
 from ..language.tree import ONE, ZERO, Node, is_condition, select
 from ..language.units import factor
 from ..model.readers import Value
-from ..model.tables import ASK_INTEGRALS, ASK_SWINGS, Ask, At, Grid
-from ..model.words import unknown
+from ..model.tables import Ask, At, Grid
+from ..model.words import ASK_INTEGRALS, ASK_SWINGS, unknown
 from .events import firing
 from .grids import grid_nodes, read_grid
 from .measures import Measures, Reading
@@ -33,6 +33,8 @@ _OVER_TIME = {
     "integral": layout.PM_ASK_INTEGRAL,
     "mean": layout.PM_ASK_MEAN,
     "rms": layout.PM_ASK_RMS,
+    "median": layout.PM_ASK_PERCENTILE,
+    "percentile": layout.PM_ASK_PERCENTILE,
 }
 
 
@@ -211,6 +213,8 @@ class Asks:
     def _over_time(self, ask: Ask, reading: Reading, path: str) -> tuple[Reading, dict[int, int]]:
         """What is asked of an expression all along, and its row: 0 where its condition does not hold."""
         row = _row(_OVER_TIME[ask.word])
+        if row[layout.PM_ASK_KIND] == layout.PM_ASK_PERCENTILE:
+            row[layout.PM_ASK_FIRST_VALUE] = self._part(ask, path)
         dimension = reading.dimension * TIME if ask.word == "integral" else reading.dimension
         where = f"{path}.during"
         condition = self._condition(ask, where)
@@ -220,6 +224,16 @@ class Asks:
             self.watched(select(condition, ONE, ZERO), where), where
         )
         return Reading(select(condition, reading.node, ZERO), dimension), row
+
+    def _part(self, ask: Ask, path: str) -> int:
+        """The part of the time in which an expression is below the answer."""
+        where = f"{path}.percent"
+        percent = self.reader.number(50 if ask.percent is None else ask.percent, where, DIMENSIONLESS)
+        found = self.tables.default(percent)
+        if not 0 < found < 100:
+            reason = f"it is {found:.6g}; a percentage of the time lies between 0 and 100"
+            raise SceneError(reason, path=where, value=ask.percent)
+        return self.tables.new_value(percent / 100, where)
 
     def _instant(self, word: str, at: str | At | None, where: str) -> tuple[dict[int, int], int]:
         """The row's kind and instant, and the number of values."""

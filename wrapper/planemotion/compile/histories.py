@@ -11,7 +11,8 @@ from ..geometry.drawing import Drawing
 from ..geometry.packing import Tables
 from ..language.address import Address
 from ..language.leaves import names
-from ..model.tables import ASK_WORDS, Ask
+from ..model.tables import Ask
+from ..model.words import ASK_WORDS
 from .elements import CouplingInfo
 from .measure_rows import Scope
 from .measures import Measures

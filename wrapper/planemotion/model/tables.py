@@ -11,7 +11,6 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field
 
-from . import words
 from .element import Kind, Number, Pair, Partners, Table, Text
 from .listed import Cases, Listed
 from .readers import (
@@ -38,6 +37,7 @@ from .readers import (
     read_swept,
     read_value_or_vector,
 )
+from .words import ASK_WORDS, SHAPES
 
 DEFAULT_G = "9.81 m/s^2"
 # Far beyond what a scene needs: they end runs that would not end by themselves.
@@ -161,7 +161,7 @@ class Body(Table):
     @property
     def shape(self) -> str | None:
         """The key of its shape, None for a body of given inertia and for a particle."""
-        return next((shape for shape in words.SHAPES if getattr(self, shape) is not None), None)
+        return next((shape for shape in SHAPES if getattr(self, shape) is not None), None)
 
     @property
     def rotates(self) -> bool:
@@ -292,15 +292,6 @@ class Event(Table):
     nth: Annotated[int, Field(strict=True, le=MOST_COUNT)] | None = None
 
 
-# What an ask takes of an expression: its value at an instant, an extreme over the run, or all of its course.
-ASK_EXTREMES = ("max", "min")
-ASK_INTEGRALS = ("integral", "mean", "rms")
-ASK_PERIODS = ("period", "frequency")
-ASK_WAVES = ("amplitude", "phase")
-ASK_SWINGS = (*ASK_PERIODS, *ASK_WAVES)
-ASK_WORDS = ("of", *ASK_EXTREMES, *ASK_INTEGRALS, *ASK_SWINGS)
-
-
 class Ask(Table):
     """`of` an expression `at` an instant, its extreme `max` or `min`, or what it does over the time: also as
     long as `during` holds, `about` a value, at `omega`.  `events`: which of these happened, in which order.
@@ -312,6 +303,9 @@ class Ask(Table):
     integral: Number | None = None
     mean: Number | None = None
     rms: Number | None = None
+    median: Number | None = None
+    percentile: Number | None = None
+    percent: Number | None = None
     period: Number | None = None
     frequency: Number | None = None
     amplitude: Number | None = None
@@ -335,6 +329,7 @@ class Ask(Table):
         """What was asked, for people: "max hoop.omega", "-sphere.omega at before strike 1"."""
         words = [("" if word == "of" else f"{word} ", getattr(self, word)) for word in ASK_WORDS]
         words.append(("which happened of ", ", ".join(self.events) if self.events else None))
+        words.append(("at percent ", None if self.percent is None else str(self.percent)))
         words.append(("swing ", None if self.nth is None else str(self.nth)))
         words.append(("at omega ", self.omega))
         words.append(("during ", self.during))

@@ -54,6 +54,15 @@ MODES_QUANTITIES = ("count", "growth")  # of all of them
 SCENE_QUANTITIES = ("t", "time", "energy", "weight", "momentum", "angular_momentum", "spin", "modes")
 PARTS = ("x", "y", "norm", "angle")
 
+# What an ask takes of an expression: its value at an instant, an extreme over the run, or all of its course.
+ASK_EXTREMES = ("max", "min")
+ASK_PERCENTILES = ("median", "percentile")
+ASK_INTEGRALS = ("integral", "mean", "rms", *ASK_PERCENTILES)
+ASK_PERIODS = ("period", "frequency")
+ASK_WAVES = ("amplitude", "phase")
+ASK_SWINGS = (*ASK_PERIODS, *ASK_WAVES)
+ASK_WORDS = ("of", *ASK_EXTREMES, *ASK_INTEGRALS, *ASK_SWINGS)
+
 # What an element or parameter cannot be called: the words would mean two things.
 RESERVED = frozenset({*SCENE_QUANTITIES, *KEYWORDS, GROUND, "pi", "start", "end", "rest"})
 _NAME = re.compile(DOTTED)

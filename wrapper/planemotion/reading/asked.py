@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ..base.errors import SceneError
 from ..model import words
-from ..model.tables import ASK_EXTREMES, ASK_INTEGRALS, ASK_PERIODS, ASK_SWINGS, ASK_WAVES, ASK_WORDS, Ask, At
+from ..model.tables import Ask, At
+from ..model.words import ASK_EXTREMES, ASK_INTEGRALS, ASK_PERIODS, ASK_SWINGS, ASK_WAVES, ASK_WORDS
 from .scene import SceneData
 
 # Keys of an ask that say more of some words.
@@ -13,6 +14,7 @@ _GO_WITH = {
     "about": ASK_PERIODS,
     "nth": ASK_PERIODS,
     "omega": ASK_WAVES,
+    "percent": ("percentile",),
 }
 
 
@@ -36,6 +38,8 @@ def check_ask(data: SceneData, ask: Ask, path: str) -> None:
         raise SceneError(reason, path=f"{path}.at")
     if given[0] in ASK_WAVES and ask.omega is None:
         raise SceneError(f"the circular frequency of the {given[0]} is wanted", path=f"{path}.omega")
+    if given[0] == "percentile" and ask.percent is None:
+        raise SceneError("the percentage of the time is wanted, such as percent = 95", path=f"{path}.percent")
     for key, goes_with in _GO_WITH.items():
         if key in ask.model_fields_set and given[0] not in goes_with:
             reason = f"it goes with {', '.join(goes_with)}, not with {given[0]}"
