@@ -634,12 +634,6 @@ FAULTS = [
         "*unknown = 0;",
     ),
     Fault(
-        "percentile: what turns is one piece",
-        "events/percentile.c",
-        "    find_turns(&piece);\n",
-        "",
-    ),
-    Fault(
         "percentile: the other side",
         "events/percentile.c",
         "fa < 0 ? root - a : fb < 0 ? b - root : 0",

@@ -39,6 +39,7 @@ static void what_swings(int route)
     scene_force(s, PM_FORCE_SPRING, g, o, k, 0);
     const int x = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X);
     const int all = ask(s, scene_read(s, x), p, PM_NONE);
+    const int low = ask(s, scene_read(s, x), 0.004, PM_NONE); /* next to where it turns */
     const int half = ask(s, scene_read(s, x), 0.5, PM_NONE);
     const int size = ask(s, SCENE_PROGRAM(s, scene_m(x), scene_op(PM_OP_ABS)), p, PM_NONE);
     const int right = SCENE_PROGRAM(s, scene_m(x), scene_k(s, 0), scene_op(PM_OP_GT));
@@ -48,6 +49,7 @@ static void what_swings(int route)
     scene_until_time(s, 2 * PI / w);
     EQUAL(scene_run(s, NULL), PM_OK);
     is(s, all, -a * cos(PI * p), a);
+    is(s, low, -a * cos(PI * 0.004), a);
     is(s, half, 0, a);
     is(s, size, a * sin(PI * p / 2), a);
     is(s, part, a * sin(PI * p / 2), a);
