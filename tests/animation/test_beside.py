@@ -12,7 +12,7 @@ import pytest
 from matplotlib.colors import to_rgb
 
 import planemotion
-from planemotion.animation import film, timing
+from planemotion.animation import drawn, film, timing
 from planemotion.animation.document import document
 from planemotion.animation.timing import Timing
 from planemotion.animation.video import Film
@@ -101,6 +101,14 @@ def test_a_blow_shows_its_impulse_and_its_name_until_it_fades(ball: Film) -> Non
     rows, columns = dots(scene_part(ball.frame(STRIKE)), IMPULSE).T
     assert np.ptp(rows) > 3 * np.ptp(columns), "it acts along the normal"
     assert [name for _, name in ball.beside.events][:2] == ["top", "floor"]
+
+
+def test_a_blow_is_shown_where_it_was(ball: Film, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The ball is on its way up meanwhile."""
+    monkeypatch.setattr(drawn, "_FAINT", 1.0)  # its colour is known
+    at, later = (dots(scene_part(ball.frame(STRIKE + delay)), IMPULSE) for delay in (0, 0.05))
+    assert len(later) > 20
+    assert later[:, 0].max() == pytest.approx(at[:, 0].max(), abs=4)
 
 
 def test_velocities_point_where_bodies_go(ball: Film) -> None:

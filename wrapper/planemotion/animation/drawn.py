@@ -8,7 +8,7 @@ from matplotlib.patches import Circle
 
 from ..pen.page import IMPULSE, RED, TRACE, VELOCITY
 from ..pen.sketch import Sketch
-from ..pen.symbols import Pen, Place
+from ..pen.symbols import Pen
 from .beside import Arrow, Beside
 
 _COLOURS = {"velocity": VELOCITY, "force": RED, "impulse": IMPULSE}
@@ -36,21 +36,19 @@ def draw_above(sketch: Sketch, beside: Beside, time: float) -> None:
     event, fresh = float(beside.timing.events[seen[0]]), seen[1]
     for one in beside.arrows["impulse"]:
         look = {"linewidth": 2.6, "mutation_scale": 14, "alpha": _FAINT + (1 - _FAINT) * fresh}
-        if _arrow(pen, beside, "impulse", one, event, beside.place(one.at, time), **look):
+        if _arrow(pen, beside, "impulse", one, event, **look):
             radius = (_RING[0] + _RING[1] * (1 - fresh)) * pen.inch
-            ring = Circle(beside.place(one.at, time), radius, fill=False, edgecolor=IMPULSE, linewidth=1.4)
+            ring = Circle(beside.place(one.at, event), radius, fill=False, edgecolor=IMPULSE, linewidth=1.4)
             ring.set(alpha=look["alpha"], zorder=7)
             pen.axes.add_patch(ring)
 
 
-def _arrow(
-    pen: Pen, beside: Beside, kind: str, one: Arrow, time: float, at: Place | None = None, **look: Any
-) -> bool:
-    """An arrow as long as it is at a time, from where it hangs or from another place; whether it is seen."""
+def _arrow(pen: Pen, beside: Beside, kind: str, one: Arrow, time: float, **look: Any) -> bool:
+    """An arrow as long as it is at a time, from where it hangs then; whether it is seen."""
     x, y = beside.arrow(kind, one, time)
     if x * x + y * y < _SEEN**2:
         return False
-    tail = at or beside.place(one.at, time)
+    tail = beside.place(one.at, time)
     look = {"zorder": 7, "clip_on": False, **look}
     pen.arrow(tail, (tail[0] + x * pen.inch, tail[1] + y * pen.inch), _COLOURS[kind], **look)
     return True

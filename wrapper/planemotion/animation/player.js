@@ -69,7 +69,7 @@ class Stage {
     for (const sign of this.signs) this.sign(sign, look);
     if (shows.velocities) this.velocities(look);
     if (shows.forces) this.arrows(this.motion.forces, look, look.at, "force");
-    if (blow) this.blow(look, blow);
+    if (blow) this.blow(blow);
     if (shows.names) this.writeNames(look);
   }
 
@@ -172,8 +172,9 @@ class Stage {
     });
   }
 
-  /* The impulses of a blow, as thick arrows that fade, with a ring around each. */
-  blow(look, { event, fresh }) {
+  /* The impulses of a blow, as thick arrows that fade where the blow was, with a ring around each. */
+  blow({ event, fresh }) {
+    const look = this.motion.look(event.t, event.row);
     this.ink.globalAlpha = 0.25 + 0.75 * fresh;
     const seen = this.arrows(this.motion.impulses, look, { row: event.row, next: event.row, part: 0 }, "impulse", 4);
     this.ink.strokeStyle = this.colours.impulse;
