@@ -203,22 +203,32 @@ static void begin_restitution(pm_contact_course *x)
 }
 
 /* ---- with stiffnesses ---- */
+static double coefficient(const pm_contact_problem_contact *c, double mu)
+{
+    return c->friction == PM_FRICTION_ROUGH ? INFINITY : c->friction == PM_FRICTION_COULOMB ? mu : 0;
+}
+
 static int follow_springs(pm_contact_course *x)
 {
     pm_contact_springs *s = &x->springs;
     const int n = x->n;
     s->n = n;
     s->exponent = x->exponent;
+    memcpy(s->response, x->response, 4 * (size_t)n * n * sizeof *s->response);
     for (int i = 0; i < n; i++) {
         const pm_contact_course_contact *c = &x->contact[i];
-        s->spring[i] = (pm_contact_spring){
-            .stiffness = c->stiffness, .restitution = c->restitution, .before = x->velocity[2 * i]};
-        for (int k = 0; k < n; k++) s->response[i * n + k] = x->response[2 * i * 2 * n + 2 * k];
+        s->spring[i] = (pm_contact_spring){.stiffness = c->stiffness,
+                                           .restitution = c->restitution,
+                                           .hold = coefficient(&c->friction, c->friction.hold),
+                                           .rub = coefficient(&c->friction, c->friction.rub),
+                                           .before = x->velocity[2 * i],
+                                           .slip = x->velocity[2 * i + 1]};
     }
     if (!pm_contact_springs_follow(s)) return 0;
     for (int i = 0; i < n; i++) {
-        x->impulse[2 * i] += s->spring[i].impulse;
+        for (int k = 0; k < 2; k++) x->impulse[2 * i + k] += s->spring[i].impulse[k];
         x->velocity[2 * i] = s->spring[i].before;
+        x->velocity[2 * i + 1] = s->spring[i].slip;
     }
     return 1;
 }

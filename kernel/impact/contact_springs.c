@@ -4,7 +4,7 @@
  * that nothing else is left.  Inside a step each contact stays compressed, released or open, so that its equations are
  * smooth; a step ends where that changes.  What changes and changes back inside a step shows in its slopes.
  * [E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, ch. II.9 and II.14] */
-#include "impact/contact_springs.h"
+#include "impact/contact_springs_parts.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,17 +13,25 @@
 #include "numerics/tolerances.h"
 #include "planemotion.h"
 
-enum { OPEN, LOADS, RELEASES };
-/* Whose zero ends a step: the velocity of a contact, or its x where it is released. */
-enum { VELOCITY, PLACE, KINDS };
+enum {
+    OPEN = PM_CONTACT_SPRING_OPEN,
+    LOADS = PM_CONTACT_SPRING_LOADS,
+    RELEASES = PM_CONTACT_SPRING_RELEASES
+};
+/* Whose zero ends a step: the velocity of a contact; its x where it is released; its slip; what its friction holds, to either
+ * side. */
+enum { VELOCITY, PLACE, SLIP, FORWARD, BACKWARD, KINDS };
 #define COLUMNS PM_SPRINGS_COLUMNS
 
 int pm_contact_springs_create(pm_contact_springs *x, pm_arena *arena, int most)
 {
     const size_t n = most, two = 2 * n;
     const pm_array array[] = {
-        PM_ARRAY(x->spring, n), PM_ARRAY(x->response, n * n), PM_ARRAY(x->now, n),
-        PM_ARRAY(x->zero, two), PM_ARRAY(x->next, two),       PM_ARRAY(x->table, COLUMNS * two),
+        PM_ARRAY(x->spring, n),    PM_ARRAY(x->response, two * two), PM_ARRAY(x->now, n),
+        PM_ARRAY(x->zero, two),    PM_ARRAY(x->next, two),           PM_ARRAY(x->table, COLUMNS * two),
+        PM_ARRAY(x->ratio, n * n), PM_ARRAY(x->course, two * n),     PM_ARRAY(x->system, two * two),
+        PM_ARRAY(x->load, n),      PM_ARRAY(x->held, two),           PM_ARRAY(x->pivot, two),
+        PM_ARRAY(x->begun, two),
     };
     x->no_velocity = PM_COURSE_ROUNDING;
     x->tolerance = PM_SPRINGS_TOLERANCE;
@@ -31,28 +39,40 @@ int pm_contact_springs_create(pm_contact_springs *x, pm_arena *arena, int most)
 }
 
 /* ---- the equations; y: by how much x and P have grown since the step began ---- */
+/* By how much direction r changes. */
+static double change(const pm_contact_springs *x, int r, const double *y)
+{
+    double sum = 0;
+    for (int k = 0; k < x->n; k++) sum += x->course[r * x->n + k] * y[x->n + k];
+    return sum;
+}
+
 static double velocity(const pm_contact_springs *x, int i, const double *y)
 {
-    const double *p = y + x->n;
-    double u = x->spring[i].start;
-    for (int k = 0; k < x->n; k++) u += x->response[i * x->n + k] * p[k];
-    return u;
+    return x->spring[i].start + change(x, 2 * i, y);
+}
+
+/* Beside the stiffest. */
+double pm_contact_springs_stiffness(const pm_contact_springs *x, int i)
+{
+    return x->spring[i].stiffness / x->stiffest;
 }
 
 /* Beyond the zero of x it goes on smoothly: a step may look there. */
-static double force(const pm_contact_springs *x, int i, const double *y)
+double pm_contact_springs_force(const pm_contact_springs *x, int i, const double *y)
 {
     const pm_contact_spring *c = &x->spring[i];
     if (c->phase == OPEN) return 0;
     const double place = x->now[i] + y[i];
     const double size = x->exponent == 1 ? fabs(place) : pow(fabs(place), x->exponent);
-    return c->stiffness / x->stiffest * copysign(size, place);
+    return pm_contact_springs_stiffness(x, i) * copysign(size, place);
 }
 
-static double rate_of_velocity(const pm_contact_springs *x, int i, const double *y)
+/* Of direction r. */
+static double rate_of(const pm_contact_springs *x, int r, const double *y)
 {
     double a = 0;
-    for (int k = 0; k < x->n; k++) a += x->response[i * x->n + k] * force(x, k, y);
+    for (int k = 0; k < x->n; k++) a += x->course[r * x->n + k] * pm_contact_springs_force(x, k, y);
     return a;
 }
 
@@ -64,10 +84,19 @@ static double rate_of_place(const pm_contact_springs *x, int i, const double *y)
     return -velocity(x, i, y) * faster;
 }
 
+double pm_contact_springs_rate_of_force(const pm_contact_springs *x, int i, const double *y)
+{
+    const pm_contact_spring *c = &x->spring[i];
+    if (c->phase == OPEN) return 0;
+    const double place = fabs(x->now[i] + y[i]);
+    return pm_contact_springs_stiffness(x, i) * x->exponent * pow(place, x->exponent - 1) *
+           rate_of_place(x, i, y);
+}
+
 /* ---- a step ---- */
 static void move_impulses(const pm_contact_springs *x, double *y, double h)
 {
-    for (int i = 0; i < x->n; i++) y[x->n + i] += h * force(x, i, y);
+    for (int i = 0; i < x->n; i++) y[x->n + i] += h * pm_contact_springs_force(x, i, y);
 }
 
 /* m steps of Verlet's scheme: increments, so that rounding shrinks with the step. */
@@ -104,17 +133,28 @@ static double step(pm_contact_springs *x, double h)
 }
 
 /* ---- events ---- */
-/* Not negative while a contact stays in its phase. */
+static int slips(const pm_contact_springs *x, int i)
+{
+    return x->spring[i].phase != OPEN && x->spring[i].hold > 0 && x->spring[i].sense != 0;
+}
+
+/* Not negative while a contact stays in its phase, and as it slips or is held. */
 static double room(const pm_contact_springs *x, int i, int kind, const double *y)
 {
-    const int phase = x->spring[i].phase;
-    if (kind == PLACE) return phase == RELEASES ? x->now[i] + y[i] : 1;
-    return phase == LOADS ? -velocity(x, i, y) : velocity(x, i, y);
+    const pm_contact_spring *c = &x->spring[i];
+    switch (kind) {
+    case PLACE: return c->phase == RELEASES ? x->now[i] + y[i] : 1;
+    case SLIP: return slips(x, i) ? c->sense * (c->slip + change(x, 2 * i + 1, y)) : 1;
+    case FORWARD: return pm_contact_springs_room(x, i, 1, y);
+    case BACKWARD: return pm_contact_springs_room(x, i, -1, y);
+    default: return c->phase == LOADS ? -velocity(x, i, y) : velocity(x, i, y);
+    }
 }
 
 static double nothing_of(const pm_contact_springs *x, int i, int kind)
 {
-    return kind == PLACE ? x->tolerance * x->spring[i].largest : x->no_velocity;
+    if (kind == VELOCITY || kind == SLIP) return x->no_velocity;
+    return kind == PLACE ? x->tolerance * x->spring[i].largest : PM_SPRINGS_HOLDS;
 }
 
 static int is_left(const pm_contact_springs *x, int i, int kind, const double *y)
@@ -125,9 +165,14 @@ static int is_left(const pm_contact_springs *x, int i, int kind, const double *y
 /* Of the function that is looked for. */
 static double slope_of(const pm_contact_springs *x, const double *y)
 {
-    if (x->kind == PLACE) return rate_of_place(x, x->event, y);
-    const double a = rate_of_velocity(x, x->event, y);
-    return x->spring[x->event].phase == LOADS ? -a : a;
+    const pm_contact_spring *c = &x->spring[x->event];
+    switch (x->kind) {
+    case PLACE: return rate_of_place(x, x->event, y);
+    case SLIP: return slips(x, x->event) ? c->sense * rate_of(x, 2 * x->event + 1, y) : 0;
+    case FORWARD: return pm_contact_springs_slope_of_room(x, x->event, 1, y);
+    case BACKWARD: return pm_contact_springs_slope_of_room(x, x->event, -1, y);
+    default: return (c->phase == LOADS ? -1 : 1) * rate_of(x, 2 * x->event, y);
+    }
 }
 
 static double room_after(void *of, double h, void *context, double *slope)
@@ -209,24 +254,34 @@ static double first_event(pm_contact_springs *x, double h, int *who, int *kind)
 /* Goes on from where the step ends: what was given so far does not blur what is still to come. */
 static void accept(pm_contact_springs *x)
 {
-    for (int i = 0; i < x->n; i++) x->table[i] = velocity(x, i, x->next);
-    for (int i = 0; i < x->n; i++) {
+    const int n = x->n;
+    for (int i = 0; i < n; i++) {
         pm_contact_spring *c = &x->spring[i];
-        c->start = x->table[i];
-        c->impulse += x->next[x->n + i];
+        c->start += change(x, 2 * i, x->next);
+        c->slip += change(x, 2 * i + 1, x->next);
+        c->impulse[0] += x->next[n + i];
+        for (int k = 0; k < n; k++) c->impulse[1] += x->ratio[i * n + k] * x->next[n + k];
         x->now[i] += x->next[i];
         c->largest = fmax(c->largest, fabs(x->now[i]));
     }
 }
 
-/* Contact i ends its phase: what is compressed is released, or lost; what is released, or open, is compressed again. */
-static void next_phase(pm_contact_springs *x, int i, int kind)
+/* Contact i ends its phase: what is compressed is released, or lost; what is released, or open, is compressed again.  Or it
+ * begins or ends to slip. */
+static void turn(pm_contact_springs *x, int i, int kind)
 {
     pm_contact_spring *c = &x->spring[i];
     const int loses = kind == PLACE || (c->phase == LOADS && c->restitution == 0);
-    c->phase = loses ? OPEN : c->phase == LOADS ? RELEASES : LOADS;
-    if (loses) x->now[i] = 0;
-    if (kind == VELOCITY) c->start = 0;
+    x->swings = kind == VELOCITY && !loses ? x->swings + 1 : 0;
+    if (kind == VELOCITY || kind == PLACE) {
+        c->phase = loses ? OPEN : c->phase == LOADS ? RELEASES : LOADS;
+        if (loses) x->now[i] = 0;
+        if (kind == VELOCITY) c->start = 0;
+    } else {
+        c->slip = 0;
+        c->sense = kind == SLIP ? 0 : kind == FORWARD ? -1 : 1;
+    }
+    pm_contact_springs_settle(x);
 }
 
 /* ---- the blow ---- */
@@ -235,17 +290,22 @@ static double begin(pm_contact_springs *x, double *response)
 {
     double speed = 0;
     *response = x->stiffest = 0;
+    x->swings = 0;
     memset(x->now, 0, (size_t)x->n * sizeof *x->now);
     for (int i = 0; i < x->n; i++) {
         speed = fmax(speed, fabs(x->spring[i].before));
-        *response = fmax(*response, x->response[i * (x->n + 1)]);
+        *response = fmax(*response, x->response[2 * i * (2 * x->n + 1)]);
         x->stiffest = fmax(x->stiffest, x->spring[i].stiffness);
     }
-    for (int i = 0; i < x->n * x->n; i++) x->response[i] /= *response;
+    for (int i = 0; i < 4 * x->n * x->n; i++) x->response[i] /= *response;
     for (int i = 0; i < x->n; i++) {
         pm_contact_spring *c = &x->spring[i];
         c->start = c->before / speed;
-        c->impulse = 0;
+        c->slip /= speed;
+        x->begun[2 * i] = c->start;
+        x->begun[2 * i + 1] = c->slip;
+        c->sense = 0;
+        c->impulse[0] = c->impulse[1] = 0;
         c->largest = pow(x->stiffest / c->stiffness, 1 / (x->exponent + 1));
         c->phase = OPEN;
     }
@@ -255,20 +315,27 @@ static double begin(pm_contact_springs *x, double *response)
 /* Energy that could give no velocity to speak of. */
 static int holds_nothing(const pm_contact_springs *x, int i)
 {
-    const double energy = force(x, i, x->zero) * x->now[i] / (x->exponent + 1);
+    const double energy = pm_contact_springs_force(x, i, x->zero) * x->now[i] / (x->exponent + 1);
     return energy <= 0.5 * x->no_velocity * x->no_velocity;
 }
 
 /* What approaches is compressed; 0 if nothing does, nor holds energy. */
 static int goes_on(pm_contact_springs *x)
 {
-    int any = 0;
+    int any = 0, begun = 0;
     for (int i = 0; i < x->n; i++) {
         pm_contact_spring *c = &x->spring[i];
         const int approaches = c->start < -x->no_velocity;
-        if (c->phase == OPEN && approaches) c->phase = LOADS;
+        if (c->phase == OPEN && approaches) {
+            c->phase = LOADS;
+            if (fabs(c->slip) <= x->no_velocity) c->slip = 0;
+            c->sense = 0;
+            x->swings = 0;
+            begun = 1;
+        }
         any |= approaches || !holds_nothing(x, i);
     }
+    if (begun) pm_contact_springs_settle(x);
     return any;
 }
 
@@ -282,7 +349,7 @@ static void advance(pm_contact_springs *x, double *h)
     if (error <= 1) {
         step(x, first_event(x, *h, &who, &kind));
         accept(x);
-        if (who != PM_NONE) next_phase(x, who, kind);
+        if (who != PM_NONE) turn(x, who, kind);
     }
     *h = next;
 }
@@ -291,14 +358,16 @@ int pm_contact_springs_follow(pm_contact_springs *x)
 {
     double response, h = PM_SPRINGS_FIRST;
     const double speed = begin(x, &response);
-    for (int i = 0; goes_on(x); i++) {
+    for (int i = 0; goes_on(x) && !pm_contact_springs_end_wedged(x); i++) {
         if (i == PM_SPRINGS_STEPS) return 0;
         advance(x, &h);
     }
+    pm_contact_springs_share_friction(x);
     for (int i = 0; i < x->n; i++) {
         pm_contact_spring *c = &x->spring[i];
         c->before = fabs(c->start) <= x->no_velocity ? 0 : c->start * speed;
-        c->impulse *= speed / response;
+        c->slip = fabs(c->slip) <= x->no_velocity ? 0 : c->slip * speed;
+        for (int k = 0; k < 2; k++) c->impulse[k] *= speed / response;
     }
     return 1;
 }

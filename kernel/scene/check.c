@@ -115,7 +115,7 @@ static int check_contacts(const pm_model *m, pm_where *where)
         const int law = e[PM_CONTACT_LAW];
         if (e[PM_CONTACT_TANGENTIAL] >= 0 && (friction == PM_FRICTION_SMOOTH || law != PM_LAW_NEWTON))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_TANGENTIAL], PM_NONE);
-        if (e[PM_CONTACT_STIFFNESS] >= 0 && (friction != PM_FRICTION_SMOOTH || law != PM_LAW_STRONGE))
+        if (e[PM_CONTACT_STIFFNESS] >= 0 && law != PM_LAW_STRONGE)
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_STIFFNESS], PM_NONE);
         const int status = pm_contact_measures_itself(m, i) ? check_slack(m, i, where) : PM_OK;
         if (status) return status;

@@ -738,7 +738,12 @@ FAULTS = [
         "(c->phase == LOADS && c->restitution == 0)",
         "0",
     ),
-    Fault("springs: all are equally stiff", "impact/contact_springs.c", "c->stiffness / x->stiffest * ", ""),
+    Fault(
+        "springs: all are equally stiff",
+        "impact/contact_springs.c",
+        "return x->spring[i].stiffness / x->stiffest;",
+        "return 1;",
+    ),
     Fault("springs: all are linear", "impact/contact_springs.c", "x->exponent == 1 ?", "x->exponent > 0 ?"),
     Fault(
         "springs: what turns back inside a step is not seen",
@@ -749,14 +754,14 @@ FAULTS = [
     Fault(
         "springs: velocities of the last step are forgotten",
         "impact/contact_springs.c",
-        "c->start = x->table[i];",
+        "c->start += change(x, 2 * i, x->next);",
         "",
     ),
     Fault(
         "springs: the impulse of the last step alone",
         "impact/contact_springs.c",
-        "c->impulse += x->next[x->n + i];",
-        "c->impulse = x->next[x->n + i];",
+        "c->impulse[0] += x->next[n + i];",
+        "c->impulse[0] = x->next[n + i];",
     ),
     Fault(
         "springs: what parts and meets again does not push",
@@ -790,9 +795,63 @@ FAULTS = [
     ),
     Fault(
         "springs: contacts do not feel each other",
-        "impact/contact_course.c",
-        "x->response[2 * i * 2 * n + 2 * k]",
-        "(i == k) * x->response[2 * i * 2 * n + 2 * k]",
+        "impact/contact_springs_friction.c",
+        "double sum = x->response[r * 2 * n + 2 * k];",
+        "double sum = (r / 2 == k) * x->response[r * 2 * n + 2 * k];",
+    ),
+    Fault(
+        "springs: friction drives slips on",
+        "impact/contact_springs_friction.c",
+        "= -x->spring[i].rub * x->spring[i].sense;",
+        "= x->spring[i].rub * x->spring[i].sense;",
+    ),
+    Fault(
+        "springs: what is held does not feel other loads",
+        "impact/contact_springs_friction.c",
+        "right[r] = -row[2 * k];",
+        "right[r] = 0 * row[2 * k];",
+    ),
+    Fault(
+        "springs: a slip that ends is passed over",
+        "impact/contact_springs.c",
+        "case SLIP: return slips(x, i) ?",
+        "case SLIP: return 0 ?",
+    ),
+    Fault(
+        "springs: friction holds whatever it needs",
+        "impact/contact_springs_friction.c",
+        "return hold * pm_contact_springs_force(x, i, y) - side * drag;",
+        "return 1 + 0 * side * drag;",
+    ),
+    Fault(
+        "springs: what reaches its cone is not seen to turn back inside a step",
+        "impact/contact_springs_friction.c",
+        "return hold * pm_contact_springs_rate_of_force(x, i, y) - side * drag;",
+        "return side * drag;",
+    ),
+    Fault(
+        "springs: the order in the file shares friction",
+        "impact/contact_springs_friction.c",
+        "if (m < 2 || !find_least(x, m, p, right)) return;",
+        "if (1) return;",
+    ),
+    Fault(
+        "springs: nothing is ever wedged",
+        "impact/contact_springs_wedged.c",
+        "if (m == 0 || ",
+        "if (1 || ",
+    ),
+    Fault(
+        "springs: wedged by loads that move the bodies",
+        "impact/contact_springs_wedged.c",
+        "z[2 * i] > PM_SPRINGS_KEPT * load_of(x, i) && ",
+        "",
+    ),
+    Fault(
+        "springs: friction that wedges is greater than it can be",
+        "impact/contact_springs_wedged.c",
+        "share = fmax(share, -has / more);",
+        "share = 0 * has;",
     ),
     Fault(
         "switch: one that is left from zero keeps its side",

@@ -17,19 +17,29 @@ typedef struct chain {
     double mass[MOST], velocity[MOST], stiffness[MOST], e[MOST], exponent;
 } chain;
 
+/* Of normal velocity i to normal impulse k, without friction. */
+static double *response_of(int i, int k) { return springs.response + 2 * i * 2 * springs.n + 2 * k; }
+
+static void begin(int n)
+{
+    springs.n = n;
+    memset(springs.response, 0, 4 * (size_t)n * n * sizeof *springs.response);
+}
+
 static void pose_chain(const chain *x)
 {
-    const int n = springs.n = x->n - 1;
+    const int n = x->n - 1;
+    begin(n);
     springs.exponent = x->exponent;
     for (int i = 0; i < n; i++) {
         springs.spring[i] = (pm_contact_spring){.stiffness = x->stiffness[i],
                                                 .restitution = x->e[i],
                                                 .before = x->velocity[i + 1] - x->velocity[i]};
         for (int k = 0; k < n; k++)
-            springs.response[i * n + k] = i == k       ? 1 / x->mass[i] + 1 / x->mass[i + 1]
-                                          : k == i + 1 ? -1 / x->mass[k]
-                                          : i == k + 1 ? -1 / x->mass[i]
-                                                       : 0;
+            *response_of(i, k) = i == k       ? 1 / x->mass[i] + 1 / x->mass[i + 1]
+                                 : k == i + 1 ? -1 / x->mass[k]
+                                 : i == k + 1 ? -1 / x->mass[i]
+                                              : 0;
     }
 }
 
@@ -39,8 +49,8 @@ static void strike(const chain *x, double after[MOST])
     pose_chain(x);
     EQUAL(pm_contact_springs_follow(&springs), 1);
     for (int i = 0; i < x->n; i++) {
-        const double left = i > 0 ? springs.spring[i - 1].impulse : 0,
-                     right = i + 1 < x->n ? springs.spring[i].impulse : 0;
+        const double left = i > 0 ? springs.spring[i - 1].impulse[0] : 0,
+                     right = i + 1 < x->n ? springs.spring[i].impulse[0] : 0;
         after[i] = x->velocity[i] + (left - right) / x->mass[i];
     }
     for (int i = 0; i + 1 < x->n; i++) NEAR(after[i + 1] - after[i], springs.spring[i].before, CLOSE);
@@ -84,7 +94,7 @@ static void step_through(double h, double after[MOST])
         for (int i = 0; i < n; i++) {
             const double e = springs.spring[i].restitution;
             after[i] = springs.spring[i].before;
-            for (int k = 0; k < n; k++) after[i] += springs.response[i * n + k] * p[k];
+            for (int k = 0; k < n; k++) after[i] += *response_of(i, k) * p[k];
             x[i] = fmax(0, x[i] - h * after[i] * (after[i] > 0 ? 1 / (e * e) : 1));
             open &= x[i] == 0 && after[i] >= -1e-9;
         }
@@ -129,7 +139,7 @@ static void laws_of_chains(void)
         other = x;
         strike(&x, after);
         for (int k = 0; k + 1 < x.n; k++) {
-            CHECK(springs.spring[k].impulse >= 0);
+            CHECK(springs.spring[k].impulse[0] >= 0);
             CHECK(springs.spring[k].before >= 0);
         }
         const double gain = energy(&x, after) - energy(&x, x.velocity);
@@ -183,18 +193,18 @@ static void three_feet(double e)
 {
     const double at[3] = {-1, 0.2, 1}, k[3] = {1, 4, 2};
     double after[MOST], force = 0, moment = 0;
-    springs.n = 3;
+    begin(3);
     springs.exponent = 1;
     for (int i = 0; i < 3; i++) {
         springs.spring[i] =
             (pm_contact_spring){.stiffness = k[i], .restitution = e, .before = -1 - 0.1 * at[i]};
-        for (int j = 0; j < 3; j++) springs.response[3 * i + j] = 1 + 2.5 * at[i] * at[j];
+        for (int j = 0; j < 3; j++) *response_of(i, j) = 1 + 2.5 * at[i] * at[j];
     }
     step_through(1e-3, after);
     EQUAL(pm_contact_springs_follow(&springs), 1);
     for (int i = 0; i < 3; i++) {
-        force += springs.spring[i].impulse;
-        moment += at[i] * springs.spring[i].impulse;
+        force += springs.spring[i].impulse[0];
+        moment += at[i] * springs.spring[i].impulse[0];
         NEAR(springs.spring[i].before, after[i], 5e-3);
     }
     for (int i = 0; i < 3; i++)

@@ -183,7 +183,6 @@ def test_explain_tells_stiffnesses() -> None:
             'impacts = "sequential"\nstiffness_exponent',
             r"contacts\.c0\.stiffness.*one blow",
         ),
-        ("restitution", "friction = 0.2, restitution", r"contacts\.c0\.stiffness.*without friction"),
         ("7 N/m", "0 N/m", r"contacts\.c0\.stiffness.*must be positive"),
         ("7 N/m", "7 N", r"contacts\.c0\.stiffness.*stiffness"),
         ("stiffness_exponent = 1.5", "stiffness_exponent = 0.5", r"solve\.stiffness_exponent = 0\.5"),

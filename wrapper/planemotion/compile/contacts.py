@@ -217,18 +217,15 @@ class Contacts:
             layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, law, path),
             layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
             layout.PM_CONTACT_PAINLEVE: _PAINLEVE[contact.painleve],
-            layout.PM_CONTACT_STIFFNESS: self._stiffness(contact, law, path),
+            layout.PM_CONTACT_STIFFNESS: self._stiffness(contact, path),
             layout.PM_CONTACT_PRESSURE: layout.PM_NONE,
         }
 
-    def _stiffness(self, contact: Contact, law: int, path: str) -> int:
-        """The value of the stiffness beside those of other contacts; of smooth contacts alone."""
+    def _stiffness(self, contact: Contact, path: str) -> int:
+        """The value of the stiffness beside those of other contacts."""
         if contact.stiffness is None:
             return layout.PM_NONE
         where = f"{path}.stiffness"
-        if law != layout.PM_FRICTION_SMOOTH:
-            reason = "a blow that stiffnesses share is one without friction: leave out friction, or stiffness"
-            raise SceneError(reason, path=where, value=contact.stiffness)
         return self.tables.value(self.reader.number(contact.stiffness, where, STIFFNESS), where)
 
     def _tangential(self, contact: Contact, law: int, path: str) -> int:
