@@ -309,13 +309,13 @@
 #define PM_SPRINGS_LOOKS 12 /* for a place in the step: each at a quarter, where a contact is inside its phase; or the nearest to its end; more: slower */
 #define PM_SPRINGS_AHEAD 1e-9 /* of that time: loads so much later decide what slips; larger: those that change are not those of the place */
 #define PM_SPRINGS_COMPLIANCE 1e-13 /* of held contacts beside the response: those that depend on each other share; larger: they creep */
-#define PM_SPRINGS_LEAST 1e-3 /* of the greatest friction: what shares at least; smaller: loads that begin are not known so well */
+#define PM_SPRINGS_LEAST 1e-3 /* of the greatest friction: what shares at least; larger: loads that begin share too much */
 #define PM_SPRINGS_HOLDS 1e-13 /* of the load of the stiffest: friction is not exceeded by less; smaller: rounding makes it slip */
 #define PM_SPRINGS_TURNS 64 /* contacts turned in one choice of what slips, for each; more: several coefficients go in circles longer */
-#define PM_SPRINGS_SOFT 1e-6 /* of the response: compliance of what is wedged while its impulses are found; smaller: rounding decides what presses against what */
+#define PM_SPRINGS_SOFT 1e-6 /* of the response: compliance of what is wedged while its impulses are found; larger: what is wedged creeps */
 #define PM_SPRINGS_REFINED 6 /* times, until it does not count; fewer: what is wedged creeps */
 #define PM_SPRINGS_ROUGH 1e3 /* friction of a rough contact where several share it; larger: others have less of it */
-#define PM_SPRINGS_KEPT 0.1 /* of each load: what is wedged is balanced by at least so much of it; smaller: loads that move bodies slowly pass for balanced */
+#define PM_SPRINGS_KEPT 0.1 /* of each load: what is wedged is balanced by at least so much of it; larger: what is wedged swings on */
 #define PM_SPRINGS_STILL 1e-9 /* of the velocities of the blow: what is wedged is at rest; larger: bodies are wedged that would come free */
 #define PM_SPRINGS_BALANCED 1e-6 /* of the greatest load: none; loads of what is wedged are balanced; likewise */
 #define PM_SPRINGS_CAUGHT 1e-3 /* of loads, and of what friction could still hold: may change until what is wedged rests; larger: likewise */

@@ -824,12 +824,6 @@ FAULTS = [
         "return 1 + 0 * side * drag;",
     ),
     Fault(
-        "springs: what reaches its cone is not seen to turn back inside a step",
-        "impact/contact_springs_friction.c",
-        "return hold * pm_contact_springs_rate_of_force(x, i, y) - side * drag;",
-        "return side * drag;",
-    ),
-    Fault(
         "springs: the order in the file shares friction",
         "impact/contact_springs_friction.c",
         "if (m < 2 || !find_least(x, m, p, right)) return;",

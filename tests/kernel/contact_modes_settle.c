@@ -143,6 +143,43 @@ static void passes_its_dead_centre(int route)
     NEAR(contact.end, joint.end, 1e3 * close);
 }
 
+/* Angle of the crank some time after it began at its dead centre; with a block beside it that is let go, or pushed off. */
+static double from_dead_centre(int route, double before, double up, double along)
+{
+    const double r = 0.1, l = 0.3, mass = 0.1, top = 2 * QUARTER - before, tilt = -asin(r * sin(top) / l);
+    const double x = r * cos(top), y = r * sin(top), reach = l * cos(tilt);
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int a = scene_body(s, mass, mass * r * r / 12, 0.5 * x, 0.5 * y, top),
+              b = scene_body(s, mass, mass * l * l / 12, x + 0.5 * reach, 0.5 * y, tilt),
+              c = scene_body(s, 5, 0, x + reach, 0, 0), d = scene_body(s, 1, 0, 3, 0, 0);
+    const int block = scene_point(s, c, 0, 0), other = scene_point(s, d, 0, 0), guide = scene_floor(s, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, PM_GROUND, 0, 0), scene_point(s, a, -0.5 * r, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, a, 0.5 * r, 0), scene_point(s, b, -0.5 * l, 0), 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, 0.5 * l, 0), block, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, block, 0), guide, 0, 0, PM_FRICTION_COULOMB, 0.1);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, other, 0), guide, 0, 0, PM_FRICTION_COULOMB, 0.1);
+    scene_applied(s, other, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, along)), SCENE_PROGRAM(s, scene_k(s, up)));
+    scene_start_omega(s, a, 5);
+    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, block, PM_PART_Y), 0);
+    scene_start_velocity(s, other, 0, 0);
+    scene_until_time(s, 0.05);
+    const int angle = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, a));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double found = s->out[angle];
+    scene_free(s);
+    return found;
+}
+
+/* The way that its slip has taken stands while modes of others are looked for. */
+static void others_leave_its_way(int route, double before)
+{
+    const double alone = from_dead_centre(route, before, 0, 0), close = route == PM_ROUTE_IDA ? 1e-6 : 1e-9;
+    CHECK(alone > 0.1);
+    NEAR(from_dead_centre(route, before, 20, 0), alone, close);
+    NEAR(from_dead_centre(route, before, 0, 30), alone, close);
+}
+
 /* ---- modes in turn ---- */
 /* Instants between which no time passes, `late` of them a moment later; the status of the last. */
 static int instants(int n, int late)
@@ -173,6 +210,9 @@ static void instants_without_time_come_to_an_end(void)
 
 int main(void)
 {
+    others_leave_its_way(PM_ROUTE_RK, 0);
+    others_leave_its_way(PM_ROUTE_RK, 1e-9);
+    others_leave_its_way(PM_ROUTE_IDA, 1e-5);
     passes_its_dead_centre(PM_ROUTE_RK);
     passes_its_dead_centre(PM_ROUTE_IDA);
     instants_without_time_come_to_an_end();

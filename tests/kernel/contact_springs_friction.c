@@ -195,30 +195,47 @@ static void mirrors_and_orders(void)
 }
 
 /* One contact alone: Routh's course with Stronge's end, whatever its stiffness and exponent. */
+static void beside_the_course(const rubbing *x)
+{
+    const pm_impact_course one = {.a = response_in(x, 0, 0),
+                                  .b = response_in(x, 0, 1),
+                                  .c = response_in(x, 1, 1),
+                                  .normal = x->start[0],
+                                  .slip = x->start[1],
+                                  .mu_static = x->hold[0],
+                                  .mu_kinetic = x->rub[0],
+                                  .restitution = x->e[0],
+                                  .no_slip = 1e-12,
+                                  .law = PM_LAW_STRONGE};
+    pm_impact_course_end end;
+    CHECK(pm_impact_course_follow(&one, &end));
+    pose_rubbing(x);
+    EQUAL(pm_contact_springs_follow(&springs), 1);
+    const double close = 1e-10 * fmax(1, end.impulse * end.impulse); /* great where friction nearly locks */
+    NEAR(springs.spring[0].before, end.normal, close);
+    NEAR(springs.spring[0].slip, end.slip, close);
+    NEAR(springs.spring[0].impulse[0], end.impulse, close);
+    NEAR(springs.spring[0].impulse[1], end.ratio * end.impulse, close);
+}
+
+/* The last are nearly locked by their friction: what moves slowly is not wedged. */
 static void one_contact(void)
 {
     for (int i = 0; i < 400; i++) {
-        const rubbing x = any_rubbing(1, 2, i % 2 ? 1.3 : 1);
-        const pm_impact_course one = {.a = response_in(&x, 0, 0),
-                                      .b = response_in(&x, 0, 1),
-                                      .c = response_in(&x, 1, 1),
-                                      .normal = x.start[0],
-                                      .slip = x.start[1],
-                                      .mu_static = x.hold[0],
-                                      .mu_kinetic = x.rub[0],
-                                      .restitution = x.e[0],
-                                      .no_slip = 1e-12,
-                                      .law = PM_LAW_STRONGE};
-        pm_impact_course_end end;
-        CHECK(pm_impact_course_follow(&one, &end));
-        pose_rubbing(&x);
-        EQUAL(pm_contact_springs_follow(&springs), 1);
-        const double close =
-            1e-10 * fmax(1, end.impulse * end.impulse); /* great where friction nearly locks */
-        NEAR(springs.spring[0].before, end.normal, close);
-        NEAR(springs.spring[0].slip, end.slip, close);
-        NEAR(springs.spring[0].impulse[0], end.impulse, close);
-        NEAR(springs.spring[0].impulse[1], end.ratio * end.impulse, close);
+        rubbing x = any_rubbing(1, 2, i % 2 ? 1.3 : 1);
+        beside_the_course(&x);
+    }
+    for (int i = 0; i < 6; i++) {
+        const rubbing x = {.n = 1,
+                           .rank = 2,
+                           .row = {{1}, {1, 1e-3 + 1e-3 * i}},
+                           .start = {-1},
+                           .hold = {1.2},
+                           .rub = {1.2},
+                           .stiffness = {1},
+                           .e = {0.5},
+                           .exponent = 1};
+        beside_the_course(&x);
     }
 }
 

@@ -459,6 +459,30 @@ static void on_a_belt(double way_of_belt)
     scene_free(s);
 }
 
+/* A rough belt below a disk that turns on an axle begins to run: by an impulse J along it the disk turns with it at once. */
+static void belt_that_starts(int route)
+{
+    scene *s = scene_create();
+    const double r = 0.2, v = 3, m = 4, inertia = 0.5 * m * r * r;
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int disk = scene_body(s, m, inertia, 0, r, 0), centre = scene_point(s, disk, 0, 0);
+    scene_joint(s, PM_JOINT_SLIDER, centre, scene_line(s, scene_point(s, PM_GROUND, 0, 0), TWO_PI / 4), 0);
+    const int touch = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, centre, r), scene_floor(s, 0), 0, 0,
+                                    PM_FRICTION_ROUGH, 0);
+    const scene_code t = scene_m(scene_time(s));
+    scene_cell(s, PM_TABLE_CONTACT, touch, PM_CONTACT_SPEED,
+               SCENE_PROGRAM(s, t, scene_k(s, 0.5), scene_op(PM_OP_GT), scene_k(s, v), scene_op(PM_OP_MUL)));
+    scene_until_time(s, 2);
+    const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, disk)),
+              turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TURNED, disk));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->count[PM_COUNT_JUMPS], 1);
+    NEAR(s->out[omega], v / r, 1e-9);
+    NEAR(s->out[turned], 1.5 * v / r, route == PM_ROUTE_IDA ? 1e-6 : 1e-9);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-8);
+    scene_free(s);
+}
+
 int main(void)
 {
     static const int all[] = {PM_ROUTE_UNIFORM, PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA};
@@ -468,6 +492,7 @@ int main(void)
     }
     static const double sides[] = {1, -1, -2};
     static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int k = 0; k < 2; k++) belt_that_starts(routes[k]);
     for (int ground_side = -1; ground_side < 2; ground_side++) rows(ground_side);
     for (int i = 0; i < 3; i++) gear_rows(sides[i]);
     for (int i = 0; i < 2; i++) {
