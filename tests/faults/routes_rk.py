@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "rk: stages that cancel are rounded",
+        "routes/rk/rk_formula.c",
+        "slope += weight[k] * (stage[k * stride + i] - stage[i]);",
+        "slope += weight[k] * (stage[k * stride + i] - 1.0000000000001 * stage[i]);",
+    ),
+    Fault(
         "rk: stiffness is not seen",
         "routes/rk/rk_stiff.c",
         "stretch(w) > PM_RK_STABLE",

@@ -15,25 +15,26 @@
 #include "tree/tree.h"
 
 /* y = y0 + h sum_k weight[k] stage[k] for the first n of `stride` entries; k is 0 and from .. to - 1. */
-static inline void combine(int n, int stride, const double *y0, double h, const double *weight, int from,
-                           int to, const double *stage, double *y)
+static inline void combine(int n, int stride, const double *y0, double h, double sum, const double *weight,
+                           int from, int to, const double *stage, double *y)
 {
     int i = 0;
     for (; i + 4 <= n; i += 4) {
         const double *x = stage + i;
-        pm_lanes first = weight[0] * pm_lanes_load(x), second = weight[0] * pm_lanes_load(x + 2);
+        const pm_lanes a = pm_lanes_load(x), b = pm_lanes_load(x + 2);
+        pm_lanes first = sum * a, second = sum * b;
         x += from * stride;
         for (int k = from; k < to; k++, x += stride) {
-            first += weight[k] * pm_lanes_load(x);
-            second += weight[k] * pm_lanes_load(x + 2);
+            first += weight[k] * (pm_lanes_load(x) - a);
+            second += weight[k] * (pm_lanes_load(x + 2) - b);
         }
         pm_lanes_store(y + i, pm_lanes_load(y0 + i) + h * first);
         pm_lanes_store(y + i + 2, pm_lanes_load(y0 + i + 2) + h * second);
     }
     for (; i < n; i++) {
-        double sum = weight[0] * stage[i];
-        for (int k = from; k < to; k++) sum += weight[k] * stage[k * stride + i];
-        y[i] = y0[i] + h * sum;
+        double slope = sum * stage[i];
+        for (int k = from; k < to; k++) slope += weight[k] * (stage[k * stride + i] - stage[i]);
+        y[i] = y0[i] + h * slope;
     }
 }
 
@@ -42,7 +43,7 @@ int pm_rk_stages(pm_workspace *w, double h, double *k, double *y)
     struct pm_rk *r = w->rk;
     const int swift = r->swift;
     for (int s = 1; s < STAGES; s++) {
-        combine(r->controlled, r->all, r->y0, h, stage_weight[s], stage_from[s], s, k, y);
+        combine(r->controlled, r->all, r->y0, h, stage_time[s], stage_weight[s], stage_from[s], s, k, y);
         const int with_ledger = r->ledger && step_weight[s] != 0;
         const int status = swift && !with_ledger ? pm_tree_small_derivative(w, y, k + s * r->all)
                                                  : pm_rk_derivative(w, r->t0 + stage_time[s] * h, y,
@@ -50,7 +51,7 @@ int pm_rk_stages(pm_workspace *w, double h, double *k, double *y)
         if (status) return status;
     }
     const int n = r->ledger ? r->all : r->controlled;
-    combine(n, r->all, r->y0, h, step_weight, STEP_FROM, STAGES, k, y);
+    combine(n, r->all, r->y0, h, 1, step_weight, STEP_FROM, STAGES, k, y);
     memcpy(y + n, r->y0 + n, (size_t)(r->all - n) * sizeof *y);
     return PM_OK;
 }
@@ -58,7 +59,7 @@ int pm_rk_stages(pm_workspace *w, double h, double *k, double *y)
 void pm_rk_last_stage(const struct pm_rk *r, double *y)
 {
     const int s = STAGES - 1;
-    combine(r->controlled, r->all, r->y0, r->h, stage_weight[s], stage_from[s], s, r->k, y);
+    combine(r->controlled, r->all, r->y0, r->h, stage_time[s], stage_weight[s], stage_from[s], s, r->k, y);
 }
 
 /* Sum of the squares of scale times sum_k weight[k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
@@ -90,7 +91,7 @@ static int prepare_dense(pm_workspace *w)
     struct pm_rk *r = w->rk;
     const int n = r->controlled, all = r->all;
     for (int s = STAGES + 1; s < ALL_STAGES; s++) {
-        combine(n, all, r->y0, r->h, stage_weight[s], stage_from[s], s, r->k, r->y);
+        combine(n, all, r->y0, r->h, stage_time[s], stage_weight[s], stage_from[s], s, r->k, r->y);
         const int status = pm_rk_derivative(w, r->t0 + stage_time[s] * r->h, r->y, 0, r->k + s * all);
         if (status) return status;
     }
