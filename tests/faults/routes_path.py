@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "path: rounded places do no work",
+        "routes/path/path_error.c",
+        "(is_first ? 0 : rounding_of_place(w))",
+        "0",
+    ),
+    Fault(
+        "path: the error of T falls on the way to a blow",
+        "routes/path/path_error.c",
+        "w->path->ended = pm_frame_kinetic(&w->frame, PM_NONE);",
+        "w->path->ended = 1.02 * pm_frame_kinetic(&w->frame, PM_NONE);",
+    ),
+    Fault(
         "clock: what rounding leaves out of a time is lost",
         "routes/path/path_clock.c",
         "p->clock.late = fabs(late) <= PM_CLOCK_LATE * t ? late : 0;",
@@ -43,8 +55,8 @@ FAULTS = [
     Fault(
         "error: a blow leaves all of it",
         "routes/path/path_error.c",
-        "return inside || !(p->ended > 0) ? p->error : p->error * kinetic / p->ended;",
-        "return inside || kinetic > 0 ? p->error : 0;",
+        "return p->ended > 0 ? p->error * kinetic / p->ended : p->error;",
+        "return kinetic > 0 ? p->error : 0;",
     ),
     Fault(
         "error: the clock's own",

@@ -124,12 +124,12 @@ typedef struct pm_path {
     double *inertia; /* [nbody] of the phase on an open tree */
     pm_bridge bridge;
     pm_rigid rigid;
-    pm_loops loop;             /* constraints that the tree does not solve */
-    double *weight;            /* [nz_controlled] z at the begin of the step */
-    double *work;              /* [nz_controlled] z somewhere in the step */
-    int *column;               /* [n] pivots */
-    double error;              /* of T, J */
-    double ended;              /* T at the end of the last step */
+    pm_loops loop;  /* constraints that the tree does not solve */
+    double *weight; /* [nz_controlled] z at the begin of the step */
+    double *work;   /* [nz_controlled] z somewhere in the step */
+    int *column;    /* [n] pivots */
+    double error;   /* of T, J */
+    double ended;   /* T at the end of the last phase, before its blows; 0: none has ended since the step */
     double least, lowest;      /* T of the step, of the phase */
     double way;                /* of the driver since the phase began, or since the last lap */
     double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */
@@ -213,7 +213,9 @@ void pm_path_check(pm_workspace *w);
 
 /* ---- path_error.c: what rounding makes of the answers of a run along paths: no coarse run is needed ---- */
 /* The error of T at the begin of a path phase, from that at the end of the phase before it. */
-void pm_path_error_begin(const pm_result *result, struct pm_path *p, double kinetic);
+void pm_path_error_begin(pm_workspace *w);
+/* The phase has ended where the frame looks, before the blows of the instant. */
+void pm_path_error_end(pm_workspace *w);
 /* After a step that ends with `kinetic`. */
 void pm_path_error_step(pm_workspace *w, double kinetic);
 /* T passed a barrier at `distance` above it, or reversed as much below. */

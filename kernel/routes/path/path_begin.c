@@ -111,7 +111,7 @@ int pm_path_begin(pm_workspace *w)
     double momentum[PM_LEDGER];
     p->fresh = 1;
     p->most = INFINITY;
-    pm_path_error_begin(&w->result, w->path, x->kinetic);
+    pm_path_error_begin(w);
     p->way = 0;
     p->lowest = x->kinetic;
     p->energy = x->kinetic + x->potential - pm_path_work(w->model, w->state.z);

@@ -24,12 +24,28 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
-void pm_path_error_begin(const pm_result *result, pm_path *p, double kinetic)
+/* What T is off by where the last digits of coordinates are lost: the place at which the phase before ended, and where its
+ * constraints were met anew, are rounded, and forces do work on what is lost. */
+static double rounding_of_place(const pm_workspace *w)
 {
-    if (result->count[PM_COUNT_PHASES] == 0) p->error = p->ended = p->clock.error = p->clock.unresolved = 0;
-    if (p->ended > 0) p->error *= kinetic / p->ended;
-    p->error += PM_ENERGY_ROUNDINGS * kinetic;
+    const pm_place *x = &w->path->begin;
+    double work = fabs(x->force * x->y[w->path->driver]);
+    for (int i = 0; i < w->model->nq; i++) work += fabs(w->frame.f[i] * w->state.q[i]);
+    return DBL_EPSILON * work;
 }
+
+void pm_path_error_begin(pm_workspace *w)
+{
+    pm_path *p = w->path;
+    const double kinetic = p->begin.kinetic;
+    const int is_first = w->result.count[PM_COUNT_PHASES] == 0;
+    if (is_first) p->error = p->ended = p->clock.error = p->clock.unresolved = 0;
+    if (p->ended > 0) p->error *= kinetic / p->ended;
+    p->ended = 0;
+    p->error += PM_ENERGY_ROUNDINGS * kinetic + (is_first ? 0 : rounding_of_place(w));
+}
+
+void pm_path_error_end(pm_workspace *w) { w->path->ended = pm_frame_kinetic(&w->frame, PM_NONE); }
 
 /* The error of T in the step, of its greatest T. */
 static double relative_error(const pm_path *p)
@@ -59,7 +75,6 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
     const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
-    p->ended = kinetic;
     p->error += PM_ENERGY_ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
     step_of_clock(w->model, &w->state, p);
     if (w->evidence.active && w->state.t > 0)
@@ -242,12 +257,10 @@ static void put_back(pm_workspace *w, const double *keep)
     w->cache->closed = 0;
 }
 
-/* The error of T at the frame: what a blow at the end of the step leaves of T it leaves of its error. */
-static double error_of_kinetic(const pm_workspace *w, double kinetic)
+/* The error of T at the frame: what a blow at the end of the phase leaves of T it leaves of its error. */
+static double error_of_kinetic(const pm_path *p, double kinetic)
 {
-    const pm_path *p = w->path;
-    const int inside = w->frame.q == w->probe.q;
-    return inside || !(p->ended > 0) ? p->error : p->error * kinetic / p->ended;
+    return p->ended > 0 ? p->error * kinetic / p->ended : p->error;
 }
 
 /* By a difference in the speeds. */
@@ -262,8 +275,9 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     const double changed = pm_program_run(w, program);
     shift_velocities(&w->frame, 1);
     if (dynamic) put_back(w, w->scratch);
-    return failed ? NAN
-                  : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * error_of_kinetic(w, kinetic);
+    return failed
+               ? NAN
+               : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * error_of_kinetic(w->path, kinetic);
 }
 
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)

@@ -122,6 +122,7 @@ void pm_repeat_end(pm_workspace *w)
 {
     pm_repeat *l = w->repeat;
     const pm_event_set *e = w->event;
+    pm_path_error_end(w);
     if (!l->known) return;
     l->before = pm_frame_kinetic(&w->frame, PM_NONE);
     l->end = w->step.end;
