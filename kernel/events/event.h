@@ -99,6 +99,7 @@ typedef struct pm_event_set {
     int *hit;                    /* [most functions] fired at this instant */
     int *root;                   /* [most functions] roots that the route itself found, or 0 */
     int at_root;                 /* the step ends at one of these */
+    int at_due;                  /* it ends when a trigger on time is due */
     double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
     unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
     pm_bounce_series *series; /* [ncontact] */

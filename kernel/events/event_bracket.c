@@ -92,6 +92,22 @@ static double slope_at(const pm_step *step, const double *g, int k)
     return pm_chebyshev_slope_at(step->nodes, g, k) / (step->end - step->begin);
 }
 
+/* The gap of circles that pass each other bends within their radii: no polynomial through samples so far apart has its slopes. */
+static int hides_slopes(pm_workspace *w, const pm_event_function *f)
+{
+    return f->kind == FUNCTION_GAP &&
+           !pm_event_samples_resolve(&w->step, w->event, (int)(f - w->event->function));
+}
+
+/* Slope at node k, which lies at x, by a value a little way towards another place where the samples do not tell it. */
+static double slope_towards(pm_workspace *w, pm_event_function *f, const double *g, int k, double x,
+                            double other)
+{
+    if (!hides_slopes(w, f)) return slope_at(&w->step, g, k);
+    const double d = PM_DIP_STEP * (other - x);
+    return (pm_event_samples_along(w, x + d, f) - g[k]) / d;
+}
+
 /* A dip between node k and the next, shown by the slopes there: also one beside an end of the step, where three nodes do
  * not show it.  The bottom of the cubic through both values and slopes. */
 static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
@@ -99,13 +115,14 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
     if (!(a > 0 && b > 0)) return 0;
-    const double p = s * slope_at(&w->step, g, k) * h;
+    const double p = s * slope_towards(w, f, g, k, x[0], x[1]) * h;
     if (!(p < 0)) return 0;
-    const double q = s * slope_at(&w->step, g, k + 1) * h;
+    const double q = s * slope_towards(w, f, g, k + 1, x[1], x[0]) * h;
     if (!(q > 0)) return 0;
     const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
     const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
-    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > PM_DIP_CLOSE * fmin(a, b)) return 0;
+    const double close = (hides_slopes(w, f) ? PM_DIP_HIDDEN : PM_DIP_CLOSE) * fmin(a, b);
+    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > close) return 0;
     *where = x[0] + t * h;
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
@@ -266,7 +283,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_samples_take(&w->step, w->event, i, &of);
     const int last = of.n - 1;
     int first = 0;
-    if (e->at_root && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest)
+    if ((e->at_root || e->at_due) && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest)
         pm_event_course_set(&of, last, 0); /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;

@@ -18,6 +18,7 @@
 #include "impact/contact_modes.h"
 #include "impact/drives.h"
 #include "impact/impact.h"
+#include "impact/meeting.h"
 #include "impact/switches.h"
 #include "impact/table_ends.h"
 #include "numerics/tolerances.h"
@@ -309,6 +310,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
     int status = check_progress(w);
     if (!status) status = pm_history_append(w, 1);
     if (!status) status = pm_saddle_accelerate(w);
+    if (!status) status = pm_meeting_reach(w);
     if (!status) status = pm_switches_check(w);
     if (!status) status = pm_switches_settle(w, 0);
     if (!status) status = pm_event_check_strands(w);

@@ -198,7 +198,9 @@
 #define PM_DIP_NEAR 0.3 /* of a function's greatest size in the step: below it there may be a dip to zero; larger: more is looked at */
 #define PM_DIP_FAR 0.5 /* likewise: above it no parabola of three nodes comes near to zero; larger: more is looked at */
 #define PM_DIP_CLOSE 0.1 /* of the values beside it: a dip that is worth a closer look; larger: more are */
+#define PM_DIP_HIDDEN 0.5 /* likewise where samples are as far apart as the dip is wide: its bottom is known to some tenths; larger: more are */
 #define PM_DIP_STEP 1e-3 /* of the nodes' distance: differences at the bottom of a dip; larger: bend less exact, smaller: rounding */
+#define PM_DIP_HIDDEN 0.5 /* likewise where samples are as far apart as the dip is wide: its bottom is known to some tenths; larger: more are */
 #define PM_DIP_STEPS 3 /* of Newton's method to the bottom; more: slower */
 #define PM_BOUNCE_HALVINGS 30 /* of a step, to find the top of a short bounce; more: shorter bounces are seen */
 #define PM_LEAVING_HALVINGS 20 /* of a step: a trigger has left its zero where it is first seen off it; more: earlier zeros are seen */
@@ -263,6 +265,7 @@
 #define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */
 
 /* ---- impact ---- */
+#define PM_MEETING_ROUNDINGS 4 /* of the time of a blow: so far off it may be found; larger: what is no rounding is taken for it */
 #define PM_PRESSURE_MOST 1.0471975511965976 /* rad, 60 degrees: teeth have no greater pressure angle; larger: they would hardly turn each other */
 #define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */

@@ -36,9 +36,10 @@ static int stop_at(pm_workspace *w, double x, double taken)
     return status;
 }
 
-static void look_for_roots(pm_event_set *e)
+static void look_for_roots(pm_event_set *e, int due)
 {
     e->at_root = 0;
+    e->at_due = due;
     for (int i = 0; i < e->nfunction; i++) {
         e->hit[i] = 0;
         e->at_root |= e->root[i] != 0;
@@ -165,7 +166,7 @@ static void join_end(const pm_workspace *w, double *first)
 {
     const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
     if (!pm_step_window_is_last(&w->step)) return;
-    const int something = w->event->at_root || (w->phase.route->in_time && next_due(w) <= w->step.end);
+    const int something = w->event->at_root || w->event->at_due;
     if (something && *first >= w->step.end - same) *first = w->step.end;
 }
 
@@ -235,7 +236,7 @@ static int make_step(pm_workspace *w)
     w->step.nodes = w->phase.route->nodes;
     status = step_of_route(w, time_limit(w, max_time));
     pm_history_step(&w->step, &w->record);
-    look_for_roots(w->event);
+    look_for_roots(w->event, w->phase.route->in_time && next_due(w) <= w->state.t);
     return status ? status : pm_step_window_first(w);
 }
 

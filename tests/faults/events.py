@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "gap: the bottom of what grazes is told by a polynomial",
+        "events/event_bracket.c",
+        "return f->kind == FUNCTION_GAP && !pm_event_samples_resolve(",
+        "return 0 && !pm_event_samples_resolve(",
+    ),
+    Fault(
         "teeth: their flanks change at no event",
         "events/event.c",
         "if (w->model->nteeth > 0) add_teeth(w);",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "meeting: a blow is where the rounded time has it",
+        "impact/meeting.c",
+        "if (left == 0) return PM_OK;",
+        "if (left * 0 == 0) return PM_OK;",
+    ),
+    Fault(
         "drives: a rate that jumps is no blow",
         "impact/drives.c",
         "*clashes |= fabs(off) * length > pm_contact_speed(&w->frame);",
