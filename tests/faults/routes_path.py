@@ -13,7 +13,7 @@ FAULTS = [
         "path: the error of T falls on the way to a blow",
         "routes/path/path_error.c",
         "w->path->ended = pm_frame_kinetic(&w->frame, PM_NONE);",
-        "w->path->ended = 1.02 * pm_frame_kinetic(&w->frame, PM_NONE);",
+        "w->path->ended = 2 * pm_frame_kinetic(&w->frame, PM_NONE);",
     ),
     Fault(
         "clock: what rounding leaves out of a time is lost",

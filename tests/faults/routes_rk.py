@@ -6,8 +6,8 @@ FAULTS = [
     Fault(
         "rk: stages that cancel are rounded",
         "routes/rk/rk_formula.c",
-        "slope += weight[k] * (stage[k * stride + i] - stage[i]);",
-        "slope += weight[k] * (stage[k * stride + i] - 1.0000000000001 * stage[i]);",
+        "(pm_lanes_load(x + 2) - b)",
+        "(pm_lanes_load(x + 2) - 1.0000000000001 * b)",
     ),
     Fault(
         "rk: stiffness is not seen",

@@ -94,9 +94,10 @@ int main(void)
 {
     elastic_blows(3.4469878364599547, -0.15);
     elastic_blows(1.4925838938619010, 1.7);
-    for (int k = 0; k < 12; k++) {
-        grazes(1 - 2e-3, 2.2 + 0.37 * k);
-        grazes(1 + 2e-3, 2.2 + 0.37 * k);
+    for (int k = 0; k < 200; k++) {
+        const double by = pow(10, -1.5 - 0.0125 * k), away = 2.2 + 0.37 * (k % 13);
+        grazes(1 - by, away);
+        grazes(1 + by, away);
     }
     over_bars(0.254, 0.0254, 1.5);
     over_bars(0.31, 0.02, 1.1);
