@@ -288,6 +288,19 @@ int pm_instant_jams(pm_workspace *w, int status)
                    1);
 }
 
+/* A rough contact whose load vanishes can neither push nor let go while its friction is needed (contact_modes_solve.c): what
+ * pushes by rounding alone only puts that off. */
+static int rough_lets_go(const pm_workspace *w)
+{
+    const pm_event_set *e = w->event;
+    for (int i = e->ntrigger; i < e->nfunction; i++)
+        if (e->hit[i] && e->function[i].kind == FUNCTION_NORMAL &&
+            pm_contact_friction(w->model, pm_contact_of_slot(w->model, e->function[i].index)) ==
+                PM_FRICTION_ROUGH)
+            return 1;
+    return 0;
+}
+
 /* Modes that change in turn lead nowhere where no time passes between their instants; a route along a path may keep no
  * time, and gets on if it has gone some way. */
 static int check_progress(pm_workspace *w)
@@ -295,11 +308,14 @@ static int check_progress(pm_workspace *w)
     const int goes = !w->phase.route->in_time && w->step.whole_end > PM_AT_ONCE * w->numbers.size;
     if (goes || fabs(w->state.t - w->instant.since) > PM_AT_ONCE * fabs(w->state.t)) {
         w->instant.since = w->state.t;
-        w->instant.at_once = 0;
+        w->instant.at_once = w->instant.let_go = 0;
     }
-    if (++w->instant.at_once < PM_INSTANTS_AT_ONCE) return PM_OK;
+    w->instant.let_go |= rough_lets_go(w);
+    const int most = w->instant.let_go ? PM_LET_GO_AT_ONCE : PM_INSTANTS_AT_ONCE;
+    if (++w->instant.at_once < most) return PM_OK;
     const double many = (double)w->instant.at_once;
-    const int status = pm_fail(&w->result, PM_ALTERNATES, PM_TABLE_CONTACT, contact_hit(w), many, many);
+    const int status = pm_fail(&w->result, w->instant.let_go ? PM_ROUGH_IMPOSSIBLE : PM_ALTERNATES,
+                               PM_TABLE_CONTACT, contact_hit(w), many, many);
     return pm_instant_jams(w, status);
 }
 

@@ -143,6 +143,7 @@ typedef struct pm_instant {
     double *place, *velocity;     /* [nq] each: those of the state, while modes are tried */
     double since;       /* s: since then instants have followed each other with no time between them */
     int64_t at_once;    /* so many */
+    int let_go;         /* at one of these the load of a rough contact vanished */
     double switched;    /* s: when a force switched last */
     int64_t to_and_fro; /* so many times running it did so again at once */
     int jams;           /* it begins with an impact without collision: no step led on */

@@ -55,8 +55,7 @@ def test_a_chain_of_n_links_moves_as_its_equations_say(n: int, route: str) -> No
 @pytest.mark.parametrize("n", [50, 80])
 def test_a_chain_of_many_links_moves_as_its_equations_say(n: int) -> None:
     """In its own coordinates, and by all its constraints together: the longer one."""
-    text = CHAIN.replace("t = 0.6 s", "t = 0.02 s")
-    found: Any = pm.load_text(text).with_values({"n": n, "solve.route": "rk"}).run()
+    found: Any = pm.load_text(chain("0.02 s")).with_values({"n": n, "solve.route": "rk"}).run()
     wanted = angles(n, 0.02)
     for i in range(n):
         assert found[f"angle[{i + 1}]"] == pytest.approx(wanted[i], abs=1e-9)

@@ -179,7 +179,8 @@ t = "t"
     assert result.asks["times"].reason == "infinite"
     assert result.y == pytest.approx(0.15, abs=1e-7)
     true = end_of_rocking(arm, alpha, tilt, omega, left)
-    assert result.t == pytest.approx(true, abs=2 * number(result.asks["t"].error))
+    known = 1e-8 if route == "ida" else 2 * number(result.asks["t"].error)
+    assert result.t == pytest.approx(true, abs=known)
 
 
 def end_of_rocking(arm: float, alpha: float, tilt: float, omega: float, left: float) -> float:

@@ -8,6 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planemotion
+from tests.scenes import number
 
 ROUTES = ["auto", "rk", "ida"]
 
@@ -67,7 +68,7 @@ class Plate:
 
     def solved(self, route: str = "auto", *, backwards: bool = False) -> dict[str, float]:
         result = planemotion.load_text(self.text(route, backwards=backwards)).run()
-        return {name: float(ask.value) for name, ask in result.asks.items()}
+        return {name: number(ask.value) for name, ask in result.asks.items()}
 
     def rows(self) -> tuple[np.ndarray, np.ndarray]:
         x = np.array(self.feet)
