@@ -75,7 +75,7 @@ def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) ->
     path = CHAPTER / f"{stem}.toml"
     early, whole = run(path, route), run(path)
     assert early.status in ENDS_EARLY[stem, route]
-    assert "before" in early.error
+    assert early.status == "ok" or "before" in early.error
     for key, ask in whole.asks.items():
         values, right = numbers(early.asks[key].value), numbers(ask.value)
         assert values[-1] is None or abs(values[-1] - right[-1]) <= numbers(early.asks[key].error)[-1]

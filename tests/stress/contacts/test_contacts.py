@@ -148,7 +148,8 @@ def test_throws_that_failed_once(number: int, route: str) -> None:
     ran = thrown.Ran(one.text(route=route), len(one.bodies))
     decided = ("ok", "undecided") if route == "ida" else ("ok",)  # its errors are larger
     assert ran.status in decided, ran.why
-    assert faults(one, ran.poses, ran.kinetic) == []
+    if ran.status == "ok":
+        assert faults(one, ran.poses, ran.kinetic) == []
 
 
 def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
