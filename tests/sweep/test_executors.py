@@ -154,7 +154,7 @@ class Mortal:
 def test_blocks_of_workers_that_die_are_done_again(
     tmp_path: Path, by_threads: tuple[dict[str, Any], bytes]
 ) -> None:
-    mortal = Mortal(kills=3)
+    mortal = Mortal(kills=3, every=1)
     assert swept(tmp_path, mortal) == by_threads
     assert mortal.kills == 0
 
