@@ -12,25 +12,10 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
-import planemotion
 from planemotion import SceneError, SimulationError
-from tests.scenes import ROUTES, G
+from tests.scenes import ROUTES, G, asked, close, on_route
 
 PARABOLA = '{ x = "(1 m)*s", y = "(0.25 m)*s^2", from = -3, to = 3 }'
-
-
-def run(text: str, route: str = "auto") -> planemotion.RunResult:
-    return planemotion.load_text(f'solve.route = "{route}"\n{text}').run()
-
-
-def number(result: planemotion.RunResult, ask: str) -> float:
-    value = result[ask]
-    assert isinstance(value, float)
-    return value
-
-
-def close(route: str) -> float:
-    return 1e-8 if route == "ida" else 1e-9
 
 
 # ---- what slides and rolls ----
@@ -40,7 +25,7 @@ def close(route: str) -> float:
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_point_slides_in_a_bowl_as_integrated(route: str, mu: float) -> None:
     """On y = x^2/4: N = (g + v^2/2) / sqrt(1 + y'^2) in all, and friction mu N against the motion, up to its first stop."""
-    result = run(
+    result = on_route(
         f"""
         until = "{"p.velocity.x > 0" if mu == 0 else "t = 1.2 s"}"
         ground.curves.bowl = {PARABOLA}
@@ -68,14 +53,14 @@ def test_a_point_slides_in_a_bowl_as_integrated(route: str, mu: float) -> None:
     bottom.terminal = True  # type: ignore[attr-defined]
     found = solve_ivp(motion, (0, 1.3), [1, 0], method="DOP853", rtol=1e-13, atol=1e-14, events=bottom)
     v = found.y_events[0][0][1]
-    assert number(result, "v") == pytest.approx(v, rel=close(route))
-    assert number(result, "N") == pytest.approx(2 * (G + v * v / 2), rel=close(route))
+    assert asked(result, "v") == pytest.approx(v, rel=close(route))
+    assert asked(result, "N") == pytest.approx(2 * (G + v * v / 2), rel=close(route))
     if mu == 0:
-        assert number(result, "x") == pytest.approx(-1, rel=close(route))
+        assert asked(result, "x") == pytest.approx(-1, rel=close(route))
     else:
         whole = solve_ivp(motion, (0, 1.2), [1, 0], method="DOP853", rtol=1e-13, atol=1e-14)
         assert whole.y[1, -1] < 0
-        assert number(result, "x") == pytest.approx(whole.y[0, -1], abs=close(route))
+        assert asked(result, "x") == pytest.approx(whole.y[0, -1], abs=close(route))
 
 
 ROLLS = {
@@ -91,7 +76,7 @@ def test_a_disk_rolls_in_a_parabola_as_a_quadrature_says(route: str, how: str) -
     radius, begin = 0.2, 1.1
     size = math.hypot(1, begin / 2)
     at = begin - radius * begin / 2 / size, begin**2 / 4 + radius / size
-    result = run(
+    result = on_route(
         f"""
         until = "p.x < 0"
         ground.curves.bowl = {PARABOLA}
@@ -118,10 +103,10 @@ def test_a_disk_rolls_in_a_parabola_as_a_quadrature_says(route: str, how: str) -
 
     speed = math.sqrt(2 * G * (height(begin) - radius) / 1.5)
     time = quad(pace, 1e-9, 1, epsabs=1e-13, epsrel=1e-13, limit=200)[0]
-    assert number(result, "t") == pytest.approx(time, rel=1e-8)
-    assert number(result, "w") == pytest.approx(speed / radius, rel=close(route))
-    assert number(result, "N") == pytest.approx(2 * (G + speed**2 / (2 - radius)), rel=close(route))
-    assert number(result, "F") == pytest.approx(0, abs=1e-7)
+    assert asked(result, "t") == pytest.approx(time, rel=1e-8)
+    assert asked(result, "w") == pytest.approx(speed / radius, rel=close(route))
+    assert asked(result, "N") == pytest.approx(2 * (G + speed**2 / (2 - radius)), rel=close(route))
+    assert asked(result, "F") == pytest.approx(0, abs=1e-7)
 
 
 @pytest.mark.parametrize("route", ROUTES)
@@ -132,7 +117,7 @@ def test_a_disk_rolls_in_a_cycloid_isochronously(route: str, swing: float) -> No
     a, radius = 1.0, 0.2
     # centre x = a (p + sin p), y = -a (1 + cos p) + 2 a ..., p from -pi to pi; the wire lies R below it.
     x, y = a * (swing + math.sin(swing)), a * (1 - math.cos(swing))
-    result = run(
+    result = on_route(
         f"""
         until = "p.velocity.x > 0"
         ground.curves.bowl = {{ x = "(1 m)*(s + sin(s)) + (0.2 m)*sin(s/2)", y = "(1 m)*(1 - cos(s)) - (0.2 m)*cos(s/2)", from = -2, to = 2 }}
@@ -142,13 +127,13 @@ def test_a_disk_rolls_in_a_cycloid_isochronously(route: str, swing: float) -> No
         """,
         route,
     )
-    assert number(result, "t") == pytest.approx(math.pi * math.sqrt(1.5 * 4 * a / G), rel=1e-8)
+    assert asked(result, "t") == pytest.approx(math.pi * math.sqrt(1.5 * 4 * a / G), rel=1e-8)
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_what_rolls_on_a_curve_comes_back_to_where_it_was(route: str) -> None:
     """Round an ellipse, outside, without weight: a disk turns by the way over R and once more."""
-    result = run(
+    result = on_route(
         """
         plane = "horizontal"
         until = "p.y > 0"
@@ -161,7 +146,7 @@ def test_what_rolls_on_a_curve_comes_back_to_where_it_was(route: str) -> None:
         route,
     )
     way = quad(lambda s: math.hypot(2 * math.sin(s), math.cos(s)), -math.pi / 2, 0, epsabs=1e-14)[0]
-    assert number(result, "turned") == pytest.approx(way / 0.5 + math.pi / 2, rel=close(route))
+    assert asked(result, "turned") == pytest.approx(way / 0.5 + math.pi / 2, rel=close(route))
 
 
 # ---- blows ----
@@ -209,7 +194,7 @@ def bounced(until: float, radius: float, e: float, mu: float) -> tuple[float, fl
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize(("radius", "e", "mu"), [(0.2, 0.7, 0.3), (0.5, 1, 0), (0.1, 0.9, 0.05)])
 def test_a_disk_bounces_in_a_bowl_as_blow_by_blow(route: str, radius: float, e: float, mu: float) -> None:
-    result = run(
+    result = on_route(
         f"""
         until = "t = 1.5 s"
         ground.curves.bowl = {PARABOLA}
@@ -224,17 +209,17 @@ def test_a_disk_bounces_in_a_bowl_as_blow_by_blow(route: str, radius: float, e: 
         route,
     )
     x, y, w, n = bounced(1.5, radius, e, mu)
-    assert number(result, "n") == n > 1
-    assert number(result, "x") == pytest.approx(x, abs=close(route))
-    assert number(result, "y") == pytest.approx(y, abs=close(route))
-    assert number(result, "w") == pytest.approx(w, abs=1e-8)
+    assert asked(result, "n") == n > 1
+    assert asked(result, "x") == pytest.approx(x, abs=close(route))
+    assert asked(result, "y") == pytest.approx(y, abs=close(route))
+    assert asked(result, "w") == pytest.approx(w, abs=1e-8)
 
 
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("begin", [0.02, 0.11, 0.3])
 def test_a_fast_ball_hits_the_first_of_many_waves(route: str, begin: float) -> None:
     """Over y = 0.1 cos 20 x, flat and fast, so that a step goes over several waves."""
-    result = run(
+    result = on_route(
         f"""
         until = "c strikes"
         ground.curves.waves = {{ x = "(1 m)*s", y = "(0.1 m)*cos(20*s)", from = -1, to = 10 }}
@@ -251,7 +236,7 @@ def test_a_fast_ball_hits_the_first_of_many_waves(route: str, begin: float) -> N
 
     times = np.linspace(0, 0.55, 20001)
     a, b = next((a, b) for a, b in itertools.pairwise(times) if gap(a) > 0 >= gap(b))
-    assert number(result, "x") == pytest.approx(begin + 20 * brentq(gap, a, b, xtol=1e-15), rel=close(route))
+    assert asked(result, "x") == pytest.approx(begin + 20 * brentq(gap, a, b, xtol=1e-15), rel=close(route))
 
 
 def test_gaps_are_those_to_the_nearest_place() -> None:
@@ -270,8 +255,8 @@ def test_gaps_are_those_to_the_nearest_place() -> None:
         near = s[np.argmin(np.hypot(x - radius(s) * np.cos(s), y - radius(s) * np.sin(s)))]
         least = minimize_scalar(apart, bounds=(near - 1e-3, near + 1e-3), options={"xatol": 1e-13}).fun
         inside = math.hypot(x, y) < radius(math.atan2(y, x))
-        gap = number(
-            run(
+        gap = asked(
+            on_route(
                 f"""
                 until = "t = 1 us"
                 ground.curves.ring = {{ x = "(1 m)*(1 + 0.2*cos(5*s) + 0.1*sin(2*s))*cos(s)", y = "(1 m)*(1 + 0.2*cos(5*s) + 0.1*sin(2*s))*sin(s)", from = 0, to = "2*pi", closed = true, side = "{"left" if inside else "right"}" }}
@@ -292,7 +277,7 @@ def test_gaps_are_those_to_the_nearest_place() -> None:
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_wheel_in_a_narrow_hollow_rests_on_both_sides(route: str) -> None:
     """R = 1 m in y = x^2: at feet s = sqrt(3)/2 the centre is 1.25 m high; each foot carries m g / (2 cos) = m g."""
-    result = run(
+    result = on_route(
         """
         until = "t = 2 s"
         ground.curves.bowl = { x = "(1 m)*s", y = "(1 m)*s^2", from = -3, to = 3 }
@@ -305,16 +290,16 @@ def test_a_wheel_in_a_narrow_hollow_rests_on_both_sides(route: str) -> None:
         """,
         route,
     )
-    assert number(result, "feet") == 2
-    assert number(result, "x") == pytest.approx(0, abs=1e-9)
-    assert number(result, "y") == pytest.approx(1.25, rel=1e-9)
-    assert number(result, "N") == pytest.approx(4 * G, rel=1e-9)
+    assert asked(result, "feet") == 2
+    assert asked(result, "x") == pytest.approx(0, abs=1e-9)
+    assert asked(result, "y") == pytest.approx(1.25, rel=1e-9)
+    assert asked(result, "N") == pytest.approx(4 * G, rel=1e-9)
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_wheel_that_slides_into_a_narrow_hollow_strikes_its_other_side(route: str) -> None:
     """Its first foot has next to ended there: it must not be taken for the second.  The least gap tells of any overlap."""
-    result = run(
+    result = on_route(
         """
         until = "t = 1.5 s"
         ground.curves.ring = { x = "(1 m)*(1 + 0.101*cos(5*s + 5.80) + 0.083*cos(5*s + 4.54))*cos(s)", y = "(1 m)*(1 + 0.101*cos(5*s + 5.80) + 0.083*cos(5*s + 4.54))*sin(s)", from = 0, to = "2*pi", closed = true }
@@ -327,17 +312,17 @@ def test_a_wheel_that_slides_into_a_narrow_hollow_strikes_its_other_side(route: 
         """,
         route,
     )
-    assert number(result, "gap") > -1e-7
+    assert asked(result, "gap") > -1e-7
     s = np.linspace(0, 2 * math.pi, 200001)
     r = 1 + 0.101 * np.cos(5 * s + 5.80) + 0.083 * np.cos(5 * s + 4.54)
-    apart = np.hypot(number(result, "x") - r * np.cos(s), number(result, "y") - r * np.sin(s))
+    apart = np.hypot(asked(result, "x") - r * np.cos(s), asked(result, "y") - r * np.sin(s))
     assert apart.min() > 0.3 - 1e-7
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_point_leaves_a_round_hill_where_it_must(route: str) -> None:
     """It slides from an angle a off the top of a circle, and parts where cos b = 2/3 cos a."""
-    result = run(
+    result = on_route(
         """
         until = "c opens"
         ground.curves.hill = { ellipse = ["2 m", "2 m"], side = "right" }
@@ -347,14 +332,14 @@ def test_a_point_leaves_a_round_hill_where_it_must(route: str) -> None:
         """,
         route,
     )
-    assert number(result, "y") == pytest.approx(4 / 3 * math.sin(math.radians(80)), rel=close(route))
+    assert asked(result, "y") == pytest.approx(4 / 3 * math.sin(math.radians(80)), rel=close(route))
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_roller_lifts_off_its_cam_where_it_would_be_pulled(route: str) -> None:
     """Eccentric by e: y = e cos a + sqrt(L^2 - e^2 sin^2 a), L of both radii; it parts where y'' = -g."""
     e, both, rate = 0.02, 0.06, 25.0
-    result = run(
+    result = on_route(
         f"""
         until = "c opens"
         bodies.cam = {{ inertia = "1 kg*m^2", mass = "1 kg", at = [0, 0], driven.angle = "({rate} rad/s)*t", curves.profile = {{ ellipse = ["50 mm", "50 mm"], at = [0, "-20 mm"], side = "right" }} }}
@@ -376,13 +361,13 @@ def test_a_roller_lifts_off_its_cam_where_it_would_be_pulled(route: str) -> None
         return e * math.cos(angle) + second + G / rate**2
 
     angle = brentq(bend, 0.3, math.pi - 0.01, xtol=1e-15)
-    assert number(result, "t") == pytest.approx(angle / rate, rel=1e-8)
+    assert asked(result, "t") == pytest.approx(angle / rate, rel=1e-8)
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_the_far_side_of_a_cam_is_not_touched(route: str) -> None:
     """A roller stays on a turning ellipse, whose far side has feet as well: their way on the follower's line is the height."""
-    result = run(
+    result = on_route(
         """
         until = "t = 4 s"
         bodies.cam = { inertia = "1 kg*m^2", mass = "1 kg", at = [0, 0], driven.angle = "(2 rad/s)*t", curves.profile = { ellipse = ["0.5 m", "0.3 m"], at = ["0.1 m", 0], side = "right" } }
@@ -415,9 +400,9 @@ def test_the_far_side_of_a_cam_is_not_touched(route: str) -> None:
         ]
         return max(place(root)[1] for root in roots)
 
-    assert number(result, "closed") == 1
-    assert number(result, "y") == pytest.approx(height(8), rel=close(route))
-    assert number(result, "most") == pytest.approx(0.7, rel=1e-9)
+    assert asked(result, "closed") == 1
+    assert asked(result, "y") == pytest.approx(height(8), rel=close(route))
+    assert asked(result, "most") == pytest.approx(0.7, rel=1e-9)
 
 
 # ---- ends ----
@@ -426,7 +411,7 @@ def test_the_far_side_of_a_cam_is_not_touched(route: str) -> None:
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_point_flies_off_the_end_of_a_ramp(route: str) -> None:
     """Down from 1 m to the lip at (1, 1/4) with the slope 1/2, and on as thrown."""
-    result = run(
+    result = on_route(
         """
         until = "p.y < -2 m"
         ground.curves.ramp = { x = "(1 m)*s", y = "(0.25 m)*s^2", from = -3, to = 1 }
@@ -440,7 +425,7 @@ def test_a_point_flies_off_the_end_of_a_ramp(route: str) -> None:
     vx, vy = v / math.hypot(1, 0.5), v / 2 / math.hypot(1, 0.5)
     t = (vy + math.sqrt(vy**2 + 2 * G * 2.25)) / G
     assert result.status == "ok"
-    assert number(result, "x") == pytest.approx(1 + vx * t, rel=1e-9)
+    assert asked(result, "x") == pytest.approx(1 + vx * t, rel=1e-9)
 
 
 @pytest.mark.parametrize("route", ROUTES)
@@ -455,11 +440,13 @@ def test_a_disk_goes_over_the_end_of_a_curve_as_over_that_of_a_line(route: str, 
         ask.x = {{ of = "p.x", unit = "m" }}
         ask.w = {{ of = "p.omega", unit = "rad/s" }}
     """
-    line = run('ground.lines.ramp = { from = ["-3 m", 0], to = ["1 m", 0] }\n' + common, route)
-    curve = run('ground.curves.ramp = { x = "(1 m)*s", y = "(0 m)*s", from = -3, to = 1 }\n' + common, route)
+    line = on_route('ground.lines.ramp = { from = ["-3 m", 0], to = ["1 m", 0] }\n' + common, route)
+    curve = on_route(
+        'ground.curves.ramp = { x = "(1 m)*s", y = "(0 m)*s", from = -3, to = 1 }\n' + common, route
+    )
     assert line.status == curve.status == "ok"
     for ask in ("x", "w"):
-        assert number(curve, ask) == pytest.approx(number(line, ask), rel=1e-8, abs=1e-8)
+        assert asked(curve, ask) == pytest.approx(asked(line, ask), rel=1e-8, abs=1e-8)
 
 
 # ---- curves that move ----
@@ -468,7 +455,7 @@ def test_a_disk_goes_over_the_end_of_a_curve_as_over_that_of_a_line(route: str, 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_bowl_that_moves_keeps_energy_and_momentum(route: str) -> None:
     """A bead in a bowl on a smooth rail: what it slides with, what it strikes with, and the bowl."""
-    result = run(
+    result = on_route(
         """
         until = "t = 2 s"
         bodies.bowl = { mass = "3 kg", inertia = "1 kg*m^2", at = [0, 0], curves.inside = { x = "(1 m)*s", y = "(0.5 m)*s^2", from = -3, to = 3 } }
@@ -483,14 +470,14 @@ def test_a_bowl_that_moves_keeps_energy_and_momentum(route: str) -> None:
         """,
         route,
     )
-    assert number(result, "n") > 2
-    assert number(result, "E") == pytest.approx(0.9 * G, rel=1e-9)
-    assert number(result, "p") == pytest.approx(0, abs=1e-9)
+    assert asked(result, "n") > 2
+    assert asked(result, "E") == pytest.approx(0.9 * G, rel=1e-9)
+    assert asked(result, "p") == pytest.approx(0, abs=1e-9)
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_free_body_in_a_free_ring_keeps_what_must_be_kept(route: str) -> None:
-    result = run(
+    result = on_route(
         """
         plane = "horizontal"
         until = "t = 3 s"
@@ -506,9 +493,9 @@ def test_a_free_body_in_a_free_ring_keeps_what_must_be_kept(route: str) -> None:
         """,
         route,
     )
-    assert number(result, "n") > 1
-    assert number(result, "E") == pytest.approx(2.5 + 0.375, rel=1e-9)
-    assert number(result, "H") == pytest.approx(0.8 + 1.5, rel=1e-9)
+    assert asked(result, "n") > 1
+    assert asked(result, "E") == pytest.approx(2.5 + 0.375, rel=1e-9)
+    assert asked(result, "H") == pytest.approx(0.8 + 1.5, rel=1e-9)
 
 
 # ---- messages ----
@@ -526,7 +513,7 @@ def test_a_free_body_in_a_free_ring_keeps_what_must_be_kept(route: str) -> None:
 )  # fmt: skip
 def test_what_cannot_touch_is_told(curve: str, touch: str, says: str) -> None:
     with pytest.raises((SceneError, SimulationError), match=says):
-        run(
+        on_route(
             f"""
             until = "t = 1.2 s"
             ground.curves.c = {curve}

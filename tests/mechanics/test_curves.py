@@ -9,29 +9,14 @@ import math
 import pytest
 from scipy.integrate import quad, solve_ivp
 
-import planemotion
 from planemotion import SceneError, SimulationError
-from tests.scenes import ROUTES, G
-
-
-def close(route: str) -> float:
-    return 1e-8 if route == "ida" else 1e-9
-
-
-def run(text: str, route: str = "auto") -> planemotion.RunResult:
-    return planemotion.load_text(f'solve.route = "{route}"\n{text}').run()
-
-
-def number(result: planemotion.RunResult, ask: str) -> float:
-    value = result[ask]
-    assert isinstance(value, float)
-    return value
+from tests.scenes import ROUTES, G, asked, close, on_route
 
 
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("begin", [0.3, 1.0, 2.5])
 def test_a_bead_on_a_cycloid_takes_the_same_time_from_anywhere(route: str, begin: float) -> None:
-    result = run(
+    result = on_route(
         f"""
         until = "bead.x = pi*(0.5 m)"
         ground.curves.wire = {{ cycloid = "0.5 m", from = 0.01, to = 6.2, angle = "180 deg", at = ["pi m", 0] }}
@@ -48,13 +33,13 @@ def test_a_bead_on_a_cycloid_takes_the_same_time_from_anywhere(route: str, begin
         route,
     )
     speed = math.sqrt(2 * G * 0.5 * (1 + math.cos(begin)))
-    assert number(result, "t") == pytest.approx(math.pi * math.sqrt(0.5 / G), rel=close(route))
-    assert number(result, "N") == pytest.approx(2 * (G + speed**2 / 2.0), rel=close(route))
+    assert asked(result, "t") == pytest.approx(math.pi * math.sqrt(0.5 / G), rel=close(route))
+    assert asked(result, "N") == pytest.approx(2 * (G + speed**2 / 2.0), rel=close(route))
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_bead_goes_round_an_ellipse_as_a_quadrature_says(route: str) -> None:
-    result = run(
+    result = on_route(
         """
         plane = "horizontal"
         until = "bead.y > 0"
@@ -67,12 +52,12 @@ def test_a_bead_goes_round_an_ellipse_as_a_quadrature_says(route: str) -> None:
         route,
     )
     way = quad(lambda s: math.hypot(2 * math.sin(s), math.cos(s)), -math.pi / 2, 0, epsabs=1e-13)[0]
-    assert number(result, "t") == pytest.approx(way / 3, rel=close(route))
+    assert asked(result, "t") == pytest.approx(way / 3, rel=close(route))
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_curve_that_crosses_itself_is_followed(route: str) -> None:
-    result = run(
+    result = on_route(
         """
         plane = "horizontal"
         until = "t = 10 s"
@@ -90,13 +75,13 @@ def test_a_curve_that_crosses_itself_is_followed(route: str) -> None:
         (0, 10), [0], rtol=1e-12, atol=1e-13, method="DOP853",
     )  # fmt: skip
     s = found.y[0, -1]
-    assert number(result, "x") == pytest.approx(2 * math.cos(s), abs=1e-8)
-    assert number(result, "y") == pytest.approx(math.sin(2 * s), abs=1e-8)
+    assert asked(result, "x") == pytest.approx(2 * math.cos(s), abs=1e-8)
+    assert asked(result, "y") == pytest.approx(math.sin(2 * s), abs=1e-8)
 
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_curve_on_a_body_that_turns_keeps_energy_and_angular_momentum(route: str) -> None:
-    result = run(
+    result = on_route(
         """
         plane = "horizontal"
         until = "t = 3 s"
@@ -111,8 +96,8 @@ def test_a_curve_on_a_body_that_turns_keeps_energy_and_angular_momentum(route: s
         """,
         route,
     )
-    assert number(result, "E") == pytest.approx(4.5, rel=1e-8)
-    assert number(result, "H") == pytest.approx(6.0, rel=1e-8)
+    assert asked(result, "E") == pytest.approx(4.5, rel=1e-8)
+    assert asked(result, "H") == pytest.approx(6.0, rel=1e-8)
 
 
 def test_a_bead_with_friction_slides_down_a_circular_curve_as_on_a_circle() -> None:
@@ -124,7 +109,7 @@ def test_a_bead_with_friction_slides_down_a_circular_curve_as_on_a_circle() -> N
         ask.y = { of = "bead.y", unit = "m" }
     """
     circle, curve = (
-        number(run(f"ground.{mark}\n{common}"), "y")
+        asked(on_route(f"ground.{mark}\n{common}"), "y")
         for mark in ('circles.ring = "1 m"', 'curves.ring = { ellipse = ["1 m", "1 m"] }')
     )
     assert curve == pytest.approx(circle, rel=1e-8)
@@ -142,9 +127,9 @@ END = """
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_the_end_of_a_curve_ends_the_run(route: str) -> None:
-    result = run(END, route)
+    result = on_route(END, route)
     assert result.status == "curve_ends"
-    assert number(result, "v") == pytest.approx(math.sqrt(2 * G * 1.9**2 / 4), rel=close(route))
+    assert asked(result, "v") == pytest.approx(math.sqrt(2 * G * 1.9**2 / 4), rel=close(route))
 
 
 @pytest.mark.parametrize(
@@ -169,4 +154,4 @@ def test_what_is_no_curve_is_told(curve: str, says: str) -> None:
         ask.x = {{ of = "bead.x", unit = "m" }}
     """
     with pytest.raises((SceneError, SimulationError), match=says):
-        run(text)
+        on_route(text)

@@ -23,6 +23,21 @@ def answers(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]
     return {key: answer.value for key, answer in result.asks.items()}
 
 
+def on_route(text: str, route: str = "auto") -> planemotion.RunResult:
+    """The result of a scene on a route, whatever its status."""
+    return planemotion.load_text(f'solve.route = "{route}"\n{text}').run()
+
+
+def asked(result: planemotion.RunResult, ask: str) -> float:
+    """An answer that is one number."""
+    return number(result[ask])
+
+
+def close(route: str) -> float:
+    """How near answers of one second of smooth motion are to the truth."""
+    return 1e-8 if route == "ida" else 1e-9
+
+
 def number(value: Answer) -> float:
     """A value that is one number."""
     assert isinstance(value, int | float)
