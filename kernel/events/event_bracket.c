@@ -18,6 +18,7 @@
  * rested there until the phase began is through when it leaves. */
 #include "events/edge_passage.h"
 #include "events/event_parts.h"
+#include "events/step.h"
 
 #include <float.h>
 #include <math.h>
@@ -283,7 +284,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_samples_take(&w->step, w->event, i, &of);
     const int last = of.n - 1;
     int first = 0;
-    const int ends = (e->at_root || e->at_due) && !(w->step.end < w->step.whole_end);
+    const int ends = (e->at_root || e->at_due) && pm_step_is_last(&w->step);
     if (ends && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest)
         pm_event_course_set(&of, last, 0); /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;

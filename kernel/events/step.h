@@ -17,4 +17,7 @@ int pm_step_look_exactly(pm_workspace *w, double x, int level);
 /* Accelerations and reactions at a state of the step that the frame looks at; all is smooth there. */
 int pm_step_react(pm_workspace *w);
 
+/* The state is at the end of the route's step; of a window before the last one it is not. */
+static inline int pm_step_is_last(const pm_step *step) { return !(step->end < step->whole_end); }
+
 #endif

@@ -17,6 +17,7 @@
 #include "events/event_search.h"
 #include "events/history.h"
 #include "events/motion_course.h"
+#include "events/step.h"
 #include "events/step_window.h"
 #include "events/time_course.h"
 #include "impact/action.h"
@@ -49,7 +50,7 @@ static void look_for_roots(pm_event_set *e, int due)
 /* A route that finds roots itself has ended its step there, unless something that is sampled comes first. */
 static void take_roots(const pm_step *step, pm_event_set *e, double *first)
 {
-    if (!e->at_root || *first < step->whole_end || !pm_step_window_is_last(step)) return;
+    if (!e->at_root || *first < step->whole_end || !pm_step_is_last(step)) return;
     for (int i = 0; i < e->nfunction; i++) e->hit[i] |= e->root[i] != 0;
     *first = step->end;
 }
@@ -165,7 +166,7 @@ static int pass(pm_workspace *w, double x, double taken, int *ended)
 static void join_end(const pm_workspace *w, double *first)
 {
     const double same = PM_SAME_PLACE * (w->step.end - w->step.begin);
-    if (!pm_step_window_is_last(&w->step)) return;
+    if (!pm_step_is_last(&w->step)) return;
     const int something = w->event->at_root || w->event->at_due;
     if (something && *first >= w->step.end - same) *first = w->step.end;
 }
@@ -251,7 +252,7 @@ static int go_on_in_step(pm_workspace *w)
  * may end, at `taken` if the state was taken there already. */
 static int take_step(pm_workspace *w, double *first, double *taken, int *ended)
 {
-    int status = w->event->first_step || pm_step_window_is_last(&w->step) ? make_step(w) : go_on_in_step(w);
+    int status = w->event->first_step || pm_step_is_last(&w->step) ? make_step(w) : go_on_in_step(w);
     if (status || w->event->nsampled == 0) return status;
     if (w->phase.route->sampled) w->phase.route->sampled(w);
     status = pass_marks(w, first, taken, ended);
@@ -271,7 +272,7 @@ static int close_step(pm_workspace *w, double first, double taken, int ended)
             return status;
     }
     if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
-    if ((status = pm_history_inside(w, w->step.end)) || !pm_step_window_is_last(&w->step)) return status;
+    if ((status = pm_history_inside(w, w->step.end)) || !pm_step_is_last(&w->step)) return status;
     end_step(w);
     return pm_contact_check_places(w);
 }
@@ -287,7 +288,7 @@ int pm_advance(pm_workspace *w, int *ended)
         const int inside = first < w->step.whole_end;
         if ((status = close_step(w, first, taken, *ended))) return status;
         w->event->first_step = 0;
-        if (!pm_step_window_is_last(&w->step)) continue;
+        if (!pm_step_is_last(&w->step)) continue;
         const int due = (first >= w->step.end && mark_due(w)) | pm_time_course_switch(w);
         if (*ended) return PM_OK;
         if (first < INFINITY) mark_hits(&w->firing, w->event);
