@@ -17,7 +17,7 @@ from .tables import Table
 CASES, QUICK_CASES = 1_000_000, 50_000
 KILLS, QUICK_KILLS = 20, 2
 # Seconds between two kills: so long that a new worker has begun to compute.
-PAUSE = 3.0
+PAUSE = 1.3
 PROGRAM = """
 import hashlib, json, os, resource, signal, sys, threading, time
 import planemotion

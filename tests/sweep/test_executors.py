@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import struct
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -157,6 +158,30 @@ def test_blocks_of_workers_that_die_are_done_again(
     mortal = Mortal(kills=3, every=1)
     assert swept(tmp_path, mortal) == by_threads
     assert mortal.kills == 0
+
+
+def test_a_worker_that_dies_while_it_writes_holds_up_nothing(
+    tmp_path: Path, by_threads: tuple[dict[str, Any], bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The pool of the standard library would wait for the rest of its result without end."""
+    monkeypatch.setattr(spread, "_NOTICED", 0.2)
+    left = iter([True, True])
+
+    class Halting(ProcessPoolExecutor):
+        def submit(self, function: Any, /, *arguments: Any) -> Any:  # type: ignore[override]
+            halts = arguments[1][0, 0] > 0.5 and next(left, False)
+            return super().submit(_die_writing if halts else function, *arguments)
+
+    assert swept(tmp_path, lambda: Halting(2)) == by_threads
+    assert not next(left, False)
+
+
+def _die_writing(*_: Any) -> None:
+    frame: Any = sys._getframe()
+    while "result_queue" not in frame.f_locals:
+        frame = frame.f_back
+    os.write(frame.f_locals["result_queue"]._writer.fileno(), struct.pack("!i", 10**6) + b"a half")
+    os.kill(os.getpid(), signal.SIGKILL)
 
 
 def test_a_pool_that_cannot_be_made_again_ends_the_sweep_and_resume_goes_on(

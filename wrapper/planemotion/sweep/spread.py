@@ -21,6 +21,7 @@ from ..base.errors import PlanemotionError, StudyError
 from .block import Block
 from .cases import Study
 from .chunks import CHUNK_SECONDS, FIRST_CHUNK, GROWTH, POLL, Progress, keep
+from .pools import break_pool, has_dead_process
 from .size import memory
 from .takes import Takes
 from .task import Recipe, compute_block
@@ -31,6 +32,8 @@ _AHEAD = 2
 _UNKNOWN_WORKERS = 32
 # Between two looks at how many workers there are, in s: clusters grow and shrink.
 _COUNT_EVERY = 5.0
+# A pool of processes has this time to notice that one of them has died, in s.
+_NOTICED = 3.0
 # A block takes so many times as long as this process needs for one block of each worker: it must never wait.
 _SLACK = 3
 # The longest block, in s: what a dead worker may cost.
@@ -100,6 +103,7 @@ class _Crew:
             self._executor = self._made()
         self._counted = -math.inf
         self._workers = 1
+        self._died = math.inf  # when a process was first seen dead that the pool had not noticed
         self.number = 0  # of executors that have broken
 
     def submit(self, *arguments: Any) -> Any:
@@ -111,6 +115,15 @@ class _Crew:
         if time.monotonic() - self._counted > _COUNT_EVERY:
             self._workers, self._counted = _workers_of(self._executor), time.monotonic()
         return self._workers
+
+    def notice(self) -> None:
+        """Breaks a pool of processes that goes on waiting for one that has died."""
+        if not has_dead_process(self._executor):
+            self._died = math.inf
+            return
+        self._died = min(self._died, time.monotonic())
+        if time.monotonic() > self._died + _NOTICED:
+            break_pool(self._executor)
 
     def renew(self, number: int) -> None:
         """Another executor in place of that with this number, which is broken; StudyError if none is left."""
@@ -170,11 +183,14 @@ class _Work:
 
     def take(self) -> None:
         """Stores the blocks that have come, or waits some time for one."""
+        try:
+            self._end(*self._ended.get(timeout=POLL))
+        except Empty:
+            self._crew.notice()
+            return
         with suppress(Empty):
-            ended = self._ended.get(timeout=POLL)
             while True:
-                self._end(*ended)
-                ended = self._ended.get_nowait()
+                self._end(*self._ended.get_nowait())
 
     def cancel(self) -> None:
         """What has not begun shall not begin."""
