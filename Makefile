@@ -33,8 +33,8 @@ help:
 	@echo 'make bench        speed beside error, against the peers: build/bench (about ten minutes)'
 	@echo 'make bench-long   sweeps of a million cases: time, memory, workers of Dask, killed ones'
 	@echo 'make docs         the pages of docs/: build/docs/index.html'
-	@echo 'make wheel        a wheel with the libraries in it: dist/'
-	@echo 'make wheel-test   install it into a clean environment and use it there'
+	@echo 'make wheel        wheels with the libraries in them, for each Python or PYTHONS="...": dist/'
+	@echo 'make wheel-test   install them into clean environments and use them there'
 	@echo 'make gallery      the index page of studies/chapter17, and how many of its answers are right'
 	@echo 'make clean        remove build/, dist/ and .venv/'
 

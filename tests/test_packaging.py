@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import subprocess
+import sys
 import tomllib
 from importlib.metadata import version
 from pathlib import Path
@@ -31,6 +33,8 @@ SETTINGS = PYPROJECT["tool"]["cibuildwheel"]
 # What conda-forge calls otherwise: its matplotlib brings a graphical interface along.
 CONDA_NAMES = {"matplotlib": "matplotlib-base"}
 MODULE = Path(kernel.__file__)
+# Where the tests run on an installed wheel.
+IS_WHEEL = MODULE.parent.with_name("planemotion.libs").is_dir()
 
 
 def meson(pattern: str) -> str:
@@ -121,6 +125,48 @@ def test_the_scripts_that_cibuildwheel_calls_exist() -> None:
         assert name.endswith(".py") or os.access(ROOT / name, os.X_OK), name
 
 
+def interpreters(named: str, path: str) -> subprocess.CompletedProcess[str]:
+    """What .ci/pythons finds: the interpreters for wheels."""
+    environment = {**os.environ, "PYTHONS": named, "PATH": path}
+    call = [str(ROOT / ".ci/pythons")]
+    return subprocess.run(call, capture_output=True, text=True, check=False, env=environment)
+
+
+def executable(path: Path, script: str) -> str:
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o755)
+    return str(path)
+
+
+def test_wheels_are_for_the_interpreters_that_are_named_each_version_once() -> None:
+    found = interpreters(f"{sys.executable} {sys._base_executable}", os.environ["PATH"])  # type: ignore[attr-defined]
+    assert found.stdout.split() == [sys._base_executable], found.stderr  # type: ignore[attr-defined]
+
+
+def test_an_interpreter_that_is_named_and_cannot_build_is_an_error(tmp_path: Path) -> None:
+    old = executable(tmp_path / "python3", "echo 3.9 /usr/bin/python3.9")
+    bare = executable(tmp_path / "bare", "echo lacks Python.h; exit 1")
+    for name, reason in [(old, "is Python 3.9"), (bare, "lacks Python.h"), ("/nowhere/python3", "/nowhere")]:
+        found = interpreters(name, os.environ["PATH"])
+        assert found.returncode != 0, name
+        assert name in found.stderr
+        assert reason in found.stderr
+        assert not found.stdout
+
+
+def test_an_interpreter_that_only_lies_on_the_path_and_does_not_run_is_left_out(tmp_path: Path) -> None:
+    newest = minors(PROJECT["classifiers"], r"Programming Language :: Python :: 3\.(\d+)")[-1]
+    shim = executable(tmp_path / f"python3.{newest}", "echo this one is not active; exit 127")
+    (tmp_path / "more").mkdir()
+    good = executable(tmp_path / f"more/python3.{newest}", f"echo 3.{newest} /opt/python")
+    found = interpreters("", f"{tmp_path}:{tmp_path / 'more'}:{os.environ['PATH']}")
+    assert found.returncode == 0
+    assert f"{shim} cannot be used: this one is not active" in found.stderr
+    told = found.stdout.split()
+    assert "/opt/python" in told or sys.version_info[:2] == (3, newest), good
+    assert len(told) == len(set(told))
+
+
 def test_the_releases_for_wheels_are_recent_enough() -> None:
     sums = (ROOT / ".ci/libraries.sha256").read_text(encoding="utf-8")
     release = dict(re.findall(r"^[0-9a-f]{64}  (\w+)-([\d.]+)\.tar\.gz$", sums, re.MULTILINE))
@@ -151,6 +197,7 @@ def test_the_kernel_is_linked_with_every_project_and_no_other() -> None:
 
 
 @pytest.mark.skipif(shutil.which("dpkg-query") is None, reason="the texts are those of Debian's packages")
+@pytest.mark.skipif(IS_WHEEL, reason="a wheel carries the texts already")
 def test_the_licence_texts_of_all_projects_are_found(tmp_path: Path) -> None:
     shutil.copy(MODULE, tmp_path)
     found = wheel_licences.collect(tmp_path)
@@ -187,6 +234,7 @@ def test_the_metadata_of_a_wheel_cover_all_that_is_in_it() -> None:
     )
 
 
+@pytest.mark.skipif(IS_WHEEL, reason="the libraries are those of a wheel")
 def test_the_check_of_wheels_refuses_libraries_of_the_system() -> None:
     with pytest.raises(SystemExit, match=r"lib\w+\.so\S* is taken from \S+, not from the wheel"):
         wheel_check.check_libraries()

@@ -150,18 +150,19 @@ def test_a_run_that_fails_says_so(tmp_path: Path) -> None:
 
 
 def test_it_needs_nothing_of_planemotion(tmp_path: Path) -> None:
-    """Its libraries are beside it, and are those that it takes."""
+    """Its libraries come with it, and are those that it takes; a wheel has them in a folder of its own."""
     export_fmu(load_text(BALL), tmp_path / "ball.fmu")
     with zipfile.ZipFile(tmp_path / "ball.fmu") as fmu:
-        names = [name.rpartition("/")[2] for name in fmu.namelist() if name.startswith("binaries/linux64/")]
+        names = [name.rpartition("/")[2] for name in fmu.namelist() if name.startswith("binaries/")]
         fmu.extractall(tmp_path / "fmu")
-    assert "a_ball.so" in names
-    library = tmp_path / "fmu/binaries/linux64/a_ball.so"
+    binaries = tmp_path / "fmu/binaries"
+    library = binaries / "linux64/a_ball.so"
+    assert len(names) > 1
     environment = {key: value for key, value in os.environ.items() if key != "LD_LIBRARY_PATH"}
     told = subprocess.run(["ldd", library], capture_output=True, text=True, check=True, env=environment)
     for line in told.stdout.splitlines():
         name = line.split()[0]
-        assert (name in names) == (str(library.parent) in line)
+        assert (name in names) == (str(binaries) in line)
 
 
 def test_all_units_are_of_si(tmp_path: Path) -> None:
