@@ -42,7 +42,7 @@ def message(more: str) -> str:
         ("parameters.q = " + "[" * 40 + "]" * 40, "tables and lists more than 32 levels deep"),
         (".".join(["a"] * 100_000) + " = 1", "x.toml:4: a key more than 32 levels deep"),
         (".".join(["'a'"] * 40) + " = 1", "tables and lists more than 32 levels deep"),
-        ("parameters.q = " + "9" * 5000, "x.toml:4: this is no TOML: an integer of more than 4000 digits"),
+        ("parameters.q = " + "9" * 5000, "x.toml:4: this is not TOML: an integer of more than 4000 digits"),
         ("parameters.q = 1" + "_000" * 1000, "parameters.q: an integer of about 3001 digits; at most 309"),
         ("parameters.q = 0x" + "f" * 5000, "parameters.q: an integer of about 6021 digits; at most 309"),
         ('title = "' + "x" * 100_001 + '"', "title: a text of 100001 characters; at most 100000 are read"),

@@ -247,7 +247,40 @@ FAULTS = [
         "ask.a = {}",
         "ask.a: one of of, max, min, integral, mean, rms, median, percentile, period, ",
     ),
-    ('start.AB.speed = "3 m/s"', 'start.AB.speed = "3 m/s": it cannot be given at the start'),
+    (
+        'start.AB.speed = "3 m/s"',
+        "it cannot be given at the start; what can: angle, omega, and of a point x, y,",
+    ),
+    (
+        'ask.a = "AB.speed.x"',
+        '"AB.speed" is one number and has no part "x"; a vector has parts, such as velocity.x',
+    ),
+    ('ask.a = "AB.velocity.x.y"', '"AB.velocity.x" is one number and has no part "y"'),
+    (
+        'ask.a = { of = "AB.omega", at = "before 0.2 s" }',
+        'unknown instant "0.2 s"; there is end; a time gets a name: events.NAME = "t = 0.2 s", '
+        'then at = "before NAME"',
+    ),
+    ('ask.a = "AB.omega at strike"', 'an ask has its instant beside it: { of = "AB.omega", at = "strike" }'),
+    ('ask.a = "AB.omega at"', '{ of = "AB.omega", at = "EVENT" }'),
+    ('bodies.Q = { disk = "L m", mass = "1 kg", at = [0, 0] }', "; a unit stands only behind a number"),
+    (
+        'bodies.Q = { disk = "2L", mass = "1 kg", at = [0, 0] }',
+        'this is a volume; "2L" has L as its unit: a product is written 2*L',
+    ),
+    (
+        'forces.weight = "9.81 m/s^2"',
+        "a table is wanted: { KIND = ..., and options }; a force is one of spring, ",
+    ),
+    (
+        'find.vary = "L"',
+        'find.vary = "L": the ranges to look in are wanted, such as vary = { h = ["0 m", "2 m"] }',
+    ),
+    (
+        'bodies.Q = { plate = ["1 m", "1 m"], mass = "1 kg", at = [0, "3 m"] }\n'
+        'contacts.c = { touch = ["Q.corners", "ground.floor"] }',
+        'can be touched once they have names: bodies.Q.corners = ["P", "Q", "R", "S"]',
+    ),
     (
         'forces.f = { force = "AB.B", value = ["(3 kg)*AB.acceleration.x", 0] }',
         '"AB.acceleration.x" is known only when all forces are',
@@ -324,32 +357,35 @@ def test_left_out_end_and_bodies() -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("a = 1\na = 2", "2:6: this is no TOML: given twice: a table or key that stands above"),
+        ("a = 1\na = 2", "2:6: this is not TOML: a is given twice: a table or key that stands above"),
+        ("b.c = { a = 1 }\nb.c = { a = 1 }", "2:16: this is not TOML: b.c is given twice"),
+        ("b = { a = 1, c = { a = 1, a = 2 } }", "1:32: this is not TOML: a is given twice"),
+        ("b = { a = { x = 1 }, a.x = 2 }", "1:29: this is not TOML: given twice"),
         (
             "until = ",
-            "1:9: this is no TOML: a number, true, false, a text, a list or a table is wanted; a text",
+            "1:9: this is not TOML: a number, true, false, a text, a list or a table is wanted; a text",
         ),
         (
             "until = strike",
-            "1:9: this is no TOML: a number, true, false, a text, a list or a table is wanted, not `strike`",
+            "1:9: this is not TOML: a number, true, false, a text, a list or a table is wanted, not `strike`",
         ),
-        ("[a]\n[a]", "2:3: this is no TOML: given twice"),
-        ("[a\n", '1:3: this is no TOML: "]" is wanted behind the name of a table'),
+        ("[a]\n[a]", "2:3: this is not TOML: [a] is given twice"),
+        ("[a\n", '1:3: this is not TOML: "]" is wanted behind the name of a table'),
         (
             "L = 1.2 m",
-            "1:9: this is no TOML: the end of the line is wanted, not `m`; a text stands in quotation marks",
+            "1:9: this is not TOML: the end of the line is wanted, not `m`; a text stands in quotation marks",
         ),
-        ("a = { L = 1.2 m }", '1:15: this is no TOML: "," or "}" is wanted, not `m }`; a text'),
-        ("a = [1, 2", '1:10: this is no TOML: "," or "]" is wanted; a text'),
-        ("a = { b = 1 }\n[a.c]", "2:5: this is no TOML: given twice"),
-        ('a = "b\nc = 2', "1:7: this is no TOML: the quotation mark at the end of a text is missing"),
-        ('a = "\\q"', '1:8: this is no TOML: a text in "" has "\\\\" for a backslash'),
-        ("until: 3", '1:6: this is no TOML: "=" is wanted behind the key, not `: 3`'),
+        ("a = { L = 1.2 m }", '1:15: this is not TOML: "," or "}" is wanted, not `m }`; a text'),
+        ("a = [1, 2", '1:10: this is not TOML: "," or "]" is wanted; a text'),
+        ("a = { b = 1 }\n[a.c]", "2:5: this is not TOML: [a.c] is given twice"),
+        ('a = "b\nc = 2', "1:7: this is not TOML: the quotation mark at the end of a text is missing"),
+        ('a = "\\q"', '1:8: this is not TOML: a text in "" has "\\\\" for a backslash'),
+        ("until: 3", '1:6: this is not TOML: "=" is wanted behind the key, not `: 3`'),
         (
             "import planemotion as pm",
-            '1:8: this is no TOML: "=" is wanted behind the key, not `planemotion as pm`',
+            '1:8: this is not TOML: "=" is wanted behind the key, not `planemotion as pm`',
         ),
-        ("{}", '1:1: this is no TOML: a line is [a.table], key = value, or a comment behind "#"'),
+        ("{}", '1:1: this is not TOML: a line is [a.table], key = value, or a comment behind "#"'),
     ],
 )
 def test_toml_faults_name_file_and_place(text: str, expected: str) -> None:

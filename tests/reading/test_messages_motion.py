@@ -124,7 +124,7 @@ FAULTS = [
     # finds and nudges
     ("find = {}", "find.vary: what is sought is wanted, such as"),
     ("find = { vari = {} }", 'find.vari: unknown key (did you mean "vary"?); a find has vary, where,'),
-    ("runs.a.find = { vary = 3 }", "runs.a.find.vary = 3: a table is wanted"),
+    ("runs.a.find = { vary = 3 }", "runs.a.find.vary = 3: the ranges to look in are wanted, such as"),
     ('find.vary.L = "1 m"', 'find.vary.L = "1 m": two bounds are wanted: [lowest, greatest]'),
     ('runs.a.find.vary.L = ["1 m"]', 'runs.a.find.vary.L = ["1 m"]: two bounds are wanted'),
     ('find.vary.L = ["1 m", "2 m"]', "find: what makes a value the right one is wanted: where, greatest or"),

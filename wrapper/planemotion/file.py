@@ -22,7 +22,7 @@ _MOST_BYTES = 10_000_000
 def load(path: str | os.PathLike[str]) -> Scene:
     """The scene in a TOML file.
 
-    Raises SceneError for a file that cannot be read, is no TOML (with the line), or says what no scene can.
+    Raises SceneError for a file that cannot be read, is not TOML (with the line), or says what no scene can.
     """
     name = os.fspath(path)
     if "\n" in name:

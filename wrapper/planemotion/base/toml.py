@@ -1,4 +1,4 @@
-"""From a TOML text to its table: what is no TOML, or too much of it, is told with its line."""
+"""From a TOML text to its table: what is not TOML, or too much of it, is told with its line."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ _QUOTED = '; a text stands in quotation marks, also a number with its unit: "1.2
 _GIVEN_TWICE = (
     "given twice: a table or key that stands above is begun anew here; write all of it at one place"
 )
+# What is given twice: the key or the table with which a line begins, or that of a table within the line.
+_BEGUN = re.compile(r"""\s*(\[+[^]]+\]+|[\w."'-]+(?=\s*=))""")
+_INLINE_KEY = re.compile(r"Duplicate inline table key '(.*)'")
 # How the complaints of tomllib begin -> what is wrong in plain words.
 _COMPLAINTS = {
     "Unclosed inline table": f'"," or "}}" is wanted{_QUOTED}',
@@ -31,12 +34,12 @@ _COMPLAINTS = {
     "Cannot redefine": _GIVEN_TWICE,
     "Cannot mutate": _GIVEN_TWICE,
     "Duplicate inline table key": _GIVEN_TWICE,
-    "Illegal character": "the quotation mark at the end of a text is missing, or a sign that no text has",
+    "Illegal character": "the quotation mark at the end of a text is missing, or it has a control character",
     "Unterminated string": "the quotation mark at the end of a text is missing",
     'Expected "\'"': "the quotation mark at the end of a text is missing",
     "Unescaped": 'a text in "" has "\\\\" for a backslash; in \'\' it stands as it is',
 }
-_NO_TOML = "this is no TOML"
+_NO_TOML = "this is not TOML"
 # Signs of what stands at a fault that are shown.
 _SHOWN = 20
 # Digits beyond which Python reads no integer, and names of a dotted key that take tomllib too long.
@@ -47,7 +50,7 @@ _LONG_KEY = re.compile(r"""(?<!["'\w-])(?:["'\w-]++[ \t]*+\.[ \t]*+){64}""")
 def parse_toml(text: str, file: str | None = None) -> dict[str, Any]:
     """The table that a TOML text is, within the bounds of `bounded.check_table`.
 
-    Raises SceneError, with the line where it is no TOML; `file` is named in it.
+    Raises SceneError, with the line where it is not TOML; `file` is named in it.
     """
     try:
         if key := _LONG_KEY.search(text):
@@ -78,6 +81,8 @@ def _fault(complaint: str, text: str, file: str | None) -> SceneError:
         said = found[1]
         line, column = (int(found[2]), int(found[3])) if found[2] else (line, column)
     reason = next((plain for begin, plain in _COMPLAINTS.items() if said.startswith(begin)), said)
+    if reason is _GIVEN_TWICE and (name := _given_twice(said, lines[line - 1], column)):
+        reason = f"{name} is {reason}"
     rest = lines[line - 1][column - 1 :].strip() if line <= len(lines) else ""
     shown = rest if len(rest) <= _SHOWN else f"{rest[:_SHOWN]}..."
     here = f", not `{shown}`" if shown else ""
@@ -85,6 +90,16 @@ def _fault(complaint: str, text: str, file: str | None) -> SceneError:
     if " wanted" in head:
         reason = f"{head}{here}{semicolon}{tail}"
     return SceneError(f"{_NO_TOML}: {reason}", file=file, line=line, column=column)
+
+
+def _given_twice(said: str, line: str, column: int) -> str | None:
+    """The key or table that a line gives a second time; None: one within a table, which is not told."""
+    inline = _INLINE_KEY.match(said)
+    before = line[: column - 1]
+    if inline or before.count("{") > before.count("}"):
+        return inline[1] if inline else None
+    begun = _BEGUN.match(line)
+    return begun[1] if begun else None
 
 
 def _line_of(text: str, found: re.Match[str]) -> int:

@@ -13,7 +13,7 @@ from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
 from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from ..language.tree import ONE, ZERO, Node, is_condition, select
-from ..language.units import factor
+from ..language.units import factor, parse_quantity
 from ..model.readers import Value
 from ..model.tables import Ask, At, Grid
 from ..model.words import ASK_INTEGRALS, ASK_SWINGS, unknown
@@ -271,19 +271,27 @@ class Asks:
         row[layout.PM_ASK_FIRST_VALUE] = indices[0]
         return row, len(nodes)
 
+    def _no_instant(self, name: str, then: str) -> str:
+        """What is wrong with an instant that is no event, and how it is written; `at` becomes `then`."""
+        known = [*self.events, "end"]
+        when, what, word = name, "a condition", (name.split() or [""])[0]
+        if _is_time(name):
+            when, what, word = f"t = {name}", "a time", name
+        elif nearest(word, known):
+            return unknown(word, known, "instant")
+        elif name in self.measures.scope.contacts:
+            when = f"{name} strikes"
+        example = f'{what} gets a name: events.NAME = "{when}", then at = "{then}"'
+        return f"{unknown(word, known, 'instant')}; {example}"
+
     def _at_event(self, at: str, where: str) -> tuple[dict[int, int], int]:
         first, _, rest = at.strip().partition(" ")
         before, each = (first == "before" and bool(rest)), (first == "each" and bool(rest))
         name = rest if before or each else at
         found = firing(name, self.events, where)
         if found is None:
-            word = (name.split() or [""])[0]
-            known = [*self.events, "end"]
-            when = f"{name} strikes" if name in self.measures.scope.contacts else name
             then = f"{first} NAME" if before or each else "NAME"
-            example = f'; a condition gets a name: events.NAME = "{when}", then at = "{then}"'
-            hint = "" if nearest(word, known) else example
-            raise SceneError(unknown(word, known, "instant") + hint, path=where, value=at)
+            raise SceneError(self._no_instant(name, then), path=where, value=at)
         event, nth = found
         if nth == 0:
             raise SceneError("firings are counted from 1", path=where, value=at)
@@ -294,6 +302,13 @@ class Asks:
         row[layout.PM_ASK_NTH] = nth or 1
         row[layout.PM_ASK_BEFORE] = int(before)
         return row, self.bounds.get(event, self.firings) if each else 1
+
+
+def _is_time(text: str) -> bool:
+    try:
+        return parse_quantity(text).dimension == TIME
+    except SceneError:
+        return False
 
 
 def longest_word(letters: int) -> int:

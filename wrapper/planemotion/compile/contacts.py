@@ -109,7 +109,7 @@ class Contacts:
         """Kind, partners and side of a row."""
         if a.kind not in _ROUND or b.kind == "set":
             raise SceneError(
-                f"a {a.kind} and a {b.kind} do not touch; a circle or a point is wanted first",
+                f"a {a.kind} and a {b.kind} do not touch; first a circle, a point or a plate's corners",
                 path=f"{path}.touch",
             )
         different(a, b)

@@ -85,7 +85,13 @@ class MeasureRows:
     ) -> Reading:
         """A part of a vector that is the sum of the `sources` (kind, a); `rest` is what follows its word."""
         self.plain(address, allowed)
-        if len(rest) > 1 or (rest and rest[0] not in words.PARTS):
+        if len(rest) > 1:
+            one = replace(address, path=address.path[:-1], along=None)
+            reason = (
+                f'"{one}" is one number and has no part "{rest[-1]}"; a vector has parts, such as velocity.x'
+            )
+            raise SceneError(f'"{address}": {reason}')
+        if rest and rest[0] not in words.PARTS:
             raise SceneError(f'"{address}": {words.unknown(rest[-1], words.PARTS, "part")}')
         if bool(rest) == (address.along is not None):
             example = (

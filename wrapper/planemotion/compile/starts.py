@@ -125,7 +125,10 @@ class Starts:
             or level is None
             or row[layout.PM_MEASURE_PART] not in _LINEAR_PARTS
         ):
-            reason = "it cannot be given at the start; angle, omega, x, y and along of points can"
+            reason = (
+                "it cannot be given at the start; what can: angle, omega, "
+                "and of a point x, y, along, velocity, velocity.x and velocity.y"
+            )
             raise SceneError(reason)
         if self.at_rest and level == layout.PM_START_VELOCITY:
             raise SceneError("an equilibrium is at rest; leave the velocity out, or start.equilibrium")

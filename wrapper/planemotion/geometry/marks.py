@@ -75,6 +75,8 @@ class Marks:
     rows: dict[str, RowMark] = field(default_factory=dict)
     curves: dict[str, CurveMark] = field(default_factory=dict)
     sets: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    # Marks that it does not have, but could: how to get them.
+    possible: dict[str, str] = field(default_factory=dict)
 
     @property
     def names(self) -> Iterator[str]:
@@ -93,7 +95,8 @@ class Marks:
         owner = "the ground" if self.name == words.GROUND else f'body "{self.name}"'
         own = [mark for mark in known if mark not in _EVERY_BODY]
         all_marks = [*own, *(mark for mark in _EVERY_BODY if mark in known)]
-        return f'{owner} has no {what} "{name}"; it has {", ".join(all_marks) or "none"}'
+        hint = f"; {self.possible[name]}" if name in self.possible else ""
+        return f'{owner} has no {what} "{name}"; it has {", ".join(all_marks) or "none"}{hint}'
 
 
 @dataclass(frozen=True)
@@ -252,7 +255,10 @@ def _add_edge(marks: Marks, size: Node) -> None:
 def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> None:
     x, y = size[0] / 2, size[1] / 2
     at = ((-x, -y), (x, -y), (x, y), (-x, y))
-    if corners is not None:
+    if corners is None:
+        example = f'{marks.path}.corners = ["P", "Q", "R", "S"]'
+        marks.possible["corners"] = f"the corners of a plate can be touched once they have names: {example}"
+    else:
         _check_mark_names(marks, corners, "corners")
         if len(set(corners)) < len(corners):
             raise SceneError("the corners need four names", path=f"{marks.path}.corners")

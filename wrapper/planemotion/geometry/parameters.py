@@ -7,6 +7,7 @@ follows them in every case.  Overriding a dependent parameter makes it independe
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Mapping
 from numbers import Real
 
@@ -18,7 +19,7 @@ from ..language.leaves import Leaf, evaluate, names
 from ..language.lookup import NO_TABLES, Book
 from ..language.parser import parse
 from ..language.tree import Name, Node, Number, cos, sin
-from ..language.units import parse_quantity
+from ..language.units import NUMBER, parse_quantity
 from ..model.readers import Value, Vector
 from ..model.words import unknown
 
@@ -190,6 +191,10 @@ def _is_bare(value: object) -> bool:
     return True
 
 
+# A number with the name of what may be a parameter right behind it.
+_TIMES_NAME = re.compile(rf"(?<![\w.])({NUMBER})\s?([^\W\d]\w*)")
+
+
 class Reader:
     """Reads written numbers of a scene into expressions over its parameters, with their dimension checked."""
 
@@ -209,12 +214,20 @@ class Reader:
     ) -> Node:
         """The same with other leaves than parameters, whose dimensions `resolve` gives."""
         text = written.strip().removeprefix("~") if isinstance(written, str) else written
-        node = self.parameters.parse(text, where)
         try:
+            node = self.parameters.parse(text, where)
             require(node, wanted, resolve)
         except SceneError as error:
-            raise error.at(path=where, value=written) from None
+            reason = error.reason + self._product_hint(text)
+            raise SceneError(reason).at(path=where, value=written) from None
         return node
+
+    def _product_hint(self, text: object) -> str:
+        """For "2L", which is two litres: how the product with a parameter is written."""
+        for number, name in _TIMES_NAME.findall(text) if isinstance(text, str) else ():
+            if name in self.parameters.nodes:
+                return f'; "{number}{name}" has {name} as its unit: a product is written {number}*{name}'
+        return ""
 
     def vector(
         self,

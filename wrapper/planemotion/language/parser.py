@@ -36,7 +36,7 @@ from .tree import (
     as_node,
     count_text,
 )
-from .units import NUMBER, UNIT, factor, parse_quantity
+from .units import NUMBER, UNIT, factor, is_unit, parse_quantity
 
 # Longest expression in characters and deepest nesting: both far above what is written by hand and below what
 # the recursion of the parser and of the functions here can take.
@@ -90,10 +90,22 @@ class _Parser:
     def parse(self) -> Node:
         node = self.expression(1)
         if not self.scanner.at_end():
-            raise self.scanner.unexpected("an operator or the end")
+            raise self.left_over()
         if height(node) > MAX_HEIGHT:
             raise SceneError(f"a chain of more than {MAX_HEIGHT} operations; split it into parameters")
         return node
+
+    def left_over(self) -> SceneError:
+        """The error of what stands behind a whole expression."""
+        error = self.scanner.unexpected("an operator or the end")
+        whole = self.scanner.text[: self.scanner.position].strip()
+        hint = ""
+        if self.scanner.take_keyword("at"):
+            instant = self.scanner.text[self.scanner.position :] or "EVENT"
+            hint = f'; an ask has its instant beside it: {{ of = "{whole}", at = "{instant}" }}'
+        elif is_unit(self.scanner.peek(UNIT) or ""):
+            hint = "; a unit stands only behind a number"
+        return SceneError(error.reason + hint, value=error.value)
 
     def expression(self, weakest: int) -> Node:
         """An expression of operators that bind at least as tightly as rank `weakest`."""

@@ -162,6 +162,15 @@ def parse_quantity(text: object) -> Quantity:
     raise SceneError(_WANTED, value=text)
 
 
+def is_unit(text: str) -> bool:
+    """Whether the text is a unit of mechanics."""
+    try:
+        factor(text)
+    except SceneError:
+        return False
+    return bool(text.strip())
+
+
 def to_unit(si: float, unit: str) -> float:
     """The SI value `si` expressed in `unit`.  Raises SceneError as `factor` does."""
     return si / factor(unit)[0]

@@ -210,7 +210,13 @@ def _body(body: Any, path: str) -> None:
 
 def _element(element: Any, group: str, name: str) -> None:
     path = f"{group}.{name}"
-    kind = kind_of(words.mapping(element, path), group, path)
+    if not isinstance(element, Mapping):
+        kinds = ", ".join(KINDS[group])
+        reason = (
+            f"a table is wanted: {{ KIND = ..., and options }}; a {words.SINGULAR[group]} is one of {kinds}"
+        )
+        raise SceneError(reason, path=path, value=element)
+    kind = kind_of(element, group, path)
     article = "an" if kind[0] in "aeiou" else "a"
     known = KINDS[group][kind]
     _keys([key for key in element if key != kind], known.options(), path, f"{article} {kind}")
@@ -277,7 +283,9 @@ def _find(find: Any, path: str) -> None:
     if "vary" not in find:
         reason = 'what is sought is wanted, such as vary = { h = ["0 m", "2 m"] }'
         raise SceneError(reason, path=f"{path}.vary")
-    words.mapping(find["vary"], f"{path}.vary")
+    if not isinstance(find["vary"], Mapping):
+        reason = 'the ranges to look in are wanted, such as vary = { h = ["0 m", "2 m"] }'
+        raise SceneError(reason, path=f"{path}.vary", value=find["vary"])
 
 
 def _swept(swept: Any, path: str) -> None:
