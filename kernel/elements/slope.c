@@ -9,6 +9,7 @@ int pm_slope_create(pm_arena *arena, pm_slope *x, const pm_model *m)
     const size_t nq = (size_t)m->nq + 1, nbody = (size_t)m->nbody + 1;
     const pm_array array[] = {PM_ARRAY(x->q, nq), PM_ARRAY(x->v, nq), PM_ARRAY(x->body, nbody),
                               PM_ARRAY(x->listed, nbody)};
+    x->n = 0;
     return pm_arena_take(arena, PM_ARRAYS(array));
 }
 
