@@ -35,13 +35,16 @@ enum pm_pattern_column {
  * `from` where it comes to `to`. */
 enum pm_curve_column {
     PM_CURVE_POINT = 0,
-    PM_CURVE_X = 1, /* programs of PM_MEASURE_PLACE alone, smooth to the third derivative */
+    PM_CURVE_X = 1, /* programs of PM_MEASURE_PLACE alone, smooth to the third derivative but at knots */
     PM_CURVE_Y = 2,
     PM_CURVE_FROM = 3, /* value indices: from < to */
     PM_CURVE_TO = 4,
     PM_CURVE_CLOSED = 5, /* 1 or 0 */
     PM_CURVE_SIDE = 6,   /* 1 or -1 */
-    PM_CURVE_COLUMNS = 7
+    /* row of PM_TABLE_PIECEWISE, or PM_NONE: the programs read tables with these knots at PM_MEASURE_PLACE itself, smooth to
+     * the second derivative; phases end there */
+    PM_CURVE_KNOTS = 7,
+    PM_CURVE_COLUMNS = 8
 };
 
 #endif

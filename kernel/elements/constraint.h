@@ -231,8 +231,11 @@ void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int poin
 void pm_constraint_marks_circle_and_curve(const pm_frame *frame, pm_constraint *c, int circle, int curve);
 /* The s of the foot of a constraint on a curve. */
 double pm_constraint_curve_foot(const pm_frame *frame, const pm_constraint *c);
-/* How far the foot of a constraint on a curve is from the nearer end, m (curve.h). */
+/* How far the foot of a constraint on a curve is from the nearer end of it, or of its piece, m (curve.h, curve_piece.h). */
 double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c);
+/* Its memory: the foot is on the piece into which s moves `way`; what is no farther than `nothing` from a knot is on it. */
+void pm_constraint_curve_go_on(const pm_frame *frame, const pm_constraint *c, double way, double nothing,
+                               pm_memory *memory);
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);

@@ -12,11 +12,13 @@
  *             gamma = -(e' along + e (quad.t + 2 w u.n - w^2 d.t + f' across))
  * e is 1 where they touch, and Cdot their slip.
  *
- * The foot is the one that the constraint remembers, followed from there: a curve may cross itself. */
+ * The foot is the one that the constraint remembers, followed from there: a curve may cross itself.  That of a curve by points
+ * is on the piece of what is remembered (curve_piece.h). */
 #include <math.h>
 
 #include "elements/constraint.h"
 #include "elements/curve.h"
+#include "elements/curve_piece.h"
 #include "state/workspace.h"
 
 /* The foot, its axes in the scene, and what an observer on the curve sees. */
@@ -44,14 +46,22 @@ static double begin_of(const pm_frame *frame, const pm_constraint *c)
     return c->foot == PM_NONE ? c->near : frame->memory[c->foot].foot;
 }
 
+/* On the piece that is followed, or without a memory wherever it is near there. */
+static pm_curve_place foot_of(const pm_frame *frame, const pm_constraint *c, const double x[2],
+                              double *height)
+{
+    const double begin = begin_of(frame, c);
+    return c->foot == PM_NONE ? pm_curve_foot(frame, c->curve, x, begin, height)
+                              : pm_curve_foot_along(frame, c->curve, x, begin, height);
+}
+
 static pm_curve_look look_from(const pm_frame *frame, const pm_constraint *c, const pm_marks *m, int anywhere)
 {
     const double *pose = frame->pose + 5 * c->body[1];
     double x[2];
     pm_curve_look l;
     into_axes(pose, m->d, x);
-    l.foot = anywhere ? pm_curve_nearest(frame, c->curve, x, &l.height)
-                      : pm_curve_foot(frame, c->curve, x, begin_of(frame, c), &l.height);
+    l.foot = anywhere ? pm_curve_nearest(frame, c->curve, x, &l.height) : foot_of(frame, c, x, &l.height);
     into_scene(pose, l.foot.t, l.t);
     into_scene(pose, l.foot.n, l.n);
     l.along = pm_dot(m->u, l.t) + m->omega_b * pm_dot(m->d, l.n);
@@ -79,9 +89,10 @@ static void evaluate_normal(const pm_frame *frame, pm_constraint *c)
 static double rolled_from(const pm_frame *frame, const pm_constraint *c, double from,
                           const pm_curve_place *to)
 {
-    const pm_curve_place x = pm_curve_at(frame, c->curve, from);
+    const double of = c->foot == PM_NONE ? from : begin_of(frame, c);
+    const pm_curve_place x = pm_curve_along(frame, c->curve, from, of);
     const double turned = atan2(pm_cross(x.t, to->t), pm_dot(x.t, to->t));
-    return pm_curve_way(frame, c->curve, from, to->s) - c->radius_a * turned;
+    return pm_curve_way(frame, c->curve, from, to->s, of) - c->radius_a * turned;
 }
 
 static double rotated(const pm_frame *frame, const pm_constraint *c)
@@ -123,7 +134,8 @@ static void remember_tangent(const pm_frame *frame, const pm_constraint *c, pm_m
 static void remember_foot(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
 {
     const pm_marks m = pm_constraint_marks(frame, c);
-    memory->foot = look_from(frame, c, &m, anchor_too).foot.s;
+    const double s = look_from(frame, c, &m, anchor_too).foot.s;
+    memory->foot = pm_curve_piece_within(frame, c->curve, s, anchor_too ? s : begin_of(frame, c));
 }
 
 static void act_along(const pm_frame *frame, const pm_constraint *c, int across, pm_line_of_action *x)
@@ -157,7 +169,16 @@ double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c)
 {
     const pm_marks m = pm_constraint_marks(frame, c);
     const pm_curve_look l = look(frame, c, &m);
-    return pm_curve_room(frame, c->curve, &l.foot);
+    return pm_curve_has_pieces(frame->model, c->curve)
+               ? pm_curve_piece_room(frame, c->curve, &l.foot, begin_of(frame, c))
+               : pm_curve_room(frame, c->curve, &l.foot);
+}
+
+void pm_constraint_curve_go_on(const pm_frame *frame, const pm_constraint *c, double way, double nothing,
+                               pm_memory *memory)
+{
+    const double s = pm_constraint_curve_foot(frame, c);
+    memory->foot = pm_curve_piece_ahead(frame, c->curve, s, way, nothing);
 }
 
 const pm_constraint_ops pm_constraint_curve_normal = {

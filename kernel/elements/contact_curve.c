@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "elements/curve_piece.h"
 #include "state/frame.h"
 
 int pm_contact_curve_is(const pm_model *m, int contact)
@@ -36,6 +37,12 @@ static int curve_of(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, c
 int pm_contact_curve_ends(const pm_model *m, int contact)
 {
     return pm_contact_curve_is(m, contact) && !PM_CURVE_ROW(m, curve_of(m, contact))[PM_CURVE_CLOSED];
+}
+
+int pm_contact_curve_parts(const pm_model *m, int contact)
+{
+    return pm_contact_curve_ends(m, contact) ||
+           (pm_contact_curve_is(m, contact) && pm_curve_has_pieces(m, curve_of(m, contact)));
 }
 
 int pm_contact_curve_begin(pm_workspace *w)
@@ -197,12 +204,29 @@ static double beyond_end(const pm_frame *frame, int contact, int member)
     return member == PM_CURVE_FROM_END ? -along : along;
 }
 
-double pm_contact_curve_room(const pm_frame *frame, int contact, int member)
+int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constraint *normal)
 {
-    if (is_end(member)) return beyond_end(frame, contact, member);
+    const pm_model *m = frame->model;
+    const int contact = pm_contact_of_slot(m, slot);
+    if (!pm_contact_curve_is(m, contact) || is_end(member)) return 0;
+    pm_contact_constraint_normal(frame, contact, slot, member, normal);
+    normal->foot = m->nmemory - m->nslot + slot;
+    return 1;
+}
+
+double pm_contact_curve_room(const pm_frame *frame, int slot, int member)
+{
     pm_constraint normal;
-    pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], member, &normal);
-    return pm_constraint_curve_room(frame, &normal) + pm_contact_length(frame);
+    return pm_contact_curve_on(frame, slot, member, &normal)
+               ? pm_constraint_curve_room(frame, &normal) + pm_contact_length(frame)
+               : beyond_end(frame, pm_contact_of_slot(frame->model, slot), member);
+}
+
+int pm_contact_curve_is_at_end(const pm_frame *frame, int slot, int member)
+{
+    pm_constraint normal;
+    return !pm_contact_curve_on(frame, slot, member, &normal) ||
+           pm_curve_piece_is_last(frame, normal.curve, pm_constraint_curve_foot(frame, &normal));
 }
 
 int pm_contact_curve_next(const pm_frame *frame, int contact, int member)

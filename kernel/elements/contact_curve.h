@@ -30,8 +30,15 @@ void pm_contact_curve_constraint(const pm_frame *frame, int contact, int member,
 int pm_contact_curve_is_same(const pm_model *m, int contact, int a, int b);
 /* The curve is open: what touches it comes to an end. */
 int pm_contact_curve_ends(const pm_model *m, int contact);
-/* How far a circle that touches `member` is from leaving it, m; the member that follows there, or PM_NONE. */
-double pm_contact_curve_room(const pm_frame *frame, int contact, int member);
+/* It ends, or its pieces do. */
+int pm_contact_curve_parts(const pm_model *m, int contact);
+/* The foot of a closed slot is at an end of the curve, at no knot alone. */
+int pm_contact_curve_is_at_end(const pm_frame *frame, int slot, int member);
+/* The normal constraint of a closed slot, whose foot is followed; 0: it is on no curve, or at an end of one. */
+int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constraint *normal);
+/* How far a circle that touches `member` in a slot is from leaving it, or its piece, m; the member that follows there, or
+ * PM_NONE. */
+double pm_contact_curve_room(const pm_frame *frame, int slot, int member);
 int pm_contact_curve_next(const pm_frame *frame, int contact, int member);
 /* Which way the tangent of a member's constraints goes: 1 along the curve, -1 against it. */
 int pm_contact_curve_way(const pm_model *m, int contact, int member);

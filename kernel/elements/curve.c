@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "elements/constraint.h"
+#include "elements/curve_piece.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 
@@ -21,17 +22,13 @@ typedef struct pm_curve_series {
     pm_taylor x, y;
 } pm_curve_series;
 
-static double bound_of(const pm_frame *frame, int curve, int column)
-{
-    return frame->numbers->value[PM_CURVE_ROW(frame->model, curve)[column]];
-}
-
-static pm_curve_series series_at(const pm_frame *frame, int curve, double s)
+static pm_curve_series series_at(const pm_frame *frame, int curve, double s, double of)
 {
     const int32_t *e = PM_CURVE_ROW(frame->model, curve);
     const pm_numbers *n = frame->numbers;
-    return (pm_curve_series){.x = pm_program_of_place(frame->model, e[PM_CURVE_X], n->param, n->value, s),
-                             .y = pm_program_of_place(frame->model, e[PM_CURVE_Y], n->param, n->value, s)};
+    return (pm_curve_series){.x = pm_program_of_place(frame->model, e[PM_CURVE_X], n->param, n->value, s, of),
+                             .y =
+                                 pm_program_of_place(frame->model, e[PM_CURVE_Y], n->param, n->value, s, of)};
 }
 
 /* The same series about a place h further on. */
@@ -42,13 +39,11 @@ static pm_taylor moved(const pm_taylor *a, double h)
                         c[2] + 3 * h * c[3], c[3]}};
 }
 
-/* Where s stands: within the bounds of a closed curve; of an open one at the end beyond which it is. */
+/* An open curve is known up to its ends. */
 static double within(const pm_frame *frame, int curve, double s)
 {
-    const double from = bound_of(frame, curve, PM_CURVE_FROM), to = bound_of(frame, curve, PM_CURVE_TO);
-    if (PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED])
-        return s - (to - from) * floor((s - from) / (to - from));
-    return fmin(fmax(s, from), to);
+    return fmin(fmax(s, pm_curve_bound(frame, curve, PM_CURVE_FROM)),
+                pm_curve_bound(frame, curve, PM_CURVE_TO));
 }
 
 static pm_curve_place place_of(const pm_curve_series *c, double side, double s)
@@ -67,16 +62,23 @@ static pm_curve_place place_of(const pm_curve_series *c, double side, double s)
     return x;
 }
 
-pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s)
+pm_curve_place pm_curve_along(const pm_frame *frame, int curve, double s, double of)
 {
     const int32_t *e = PM_CURVE_ROW(frame->model, curve);
-    const double known = within(frame, curve, s);
-    pm_curve_series c = series_at(frame, curve, known);
+    const double in = pm_curve_has_pieces(frame->model, curve) ? of : s,
+                 laps = pm_curve_laps(frame, curve, in);
+    const double known = e[PM_CURVE_CLOSED] ? s - laps : within(frame, curve, s);
+    pm_curve_series c = series_at(frame, curve, known, within(frame, curve, in - laps));
     if (!e[PM_CURVE_CLOSED] && s != known) {
         c.x = moved(&c.x, s - known);
         c.y = moved(&c.y, s - known);
     }
     return place_of(&c, e[PM_CURVE_SIDE], s);
+}
+
+pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s)
+{
+    return pm_curve_along(frame, curve, s, s);
 }
 
 /* ---- the foot ---- */
@@ -116,12 +118,15 @@ static double way_to_foot(const pm_curve_place *x, const double d[2])
     return copysign(most, along);
 }
 
-pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2], double s, double *height)
+/* On the piece of `of`; not a number: on that of each place. */
+static pm_curve_place search(const pm_frame *frame, int curve, const double x[2], double s, double of,
+                             double *height)
 {
-    const double all = bound_of(frame, curve, PM_CURVE_TO) - bound_of(frame, curve, PM_CURVE_FROM);
+    const double all =
+        pm_curve_bound(frame, curve, PM_CURVE_TO) - pm_curve_bound(frame, curve, PM_CURVE_FROM);
     double turned = 0;
     for (int tries = 0, last = 0; tries < PM_CURVE_STEPS; tries++) {
-        const pm_curve_place at = pm_curve_at(frame, curve, s);
+        const pm_curve_place at = pm_curve_along(frame, curve, s, isnan(of) ? s : of);
         const double d[2] = {x[0] - at.p[0], x[1] - at.p[1]}, way = way_to_foot(&at, d);
         const double nothing = PM_CURVE_FOUND * PM_EPSILON * (pm_length(x) + pm_length(at.p));
         *height = pm_dot(d, at.n);
@@ -137,16 +142,28 @@ pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2]
     return (pm_curve_place){.s = NAN, .p = {NAN, NAN}, .t = {NAN, NAN}, .n = {NAN, NAN}};
 }
 
+pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2], double s, double *height)
+{
+    return search(frame, curve, x, s, NAN, height);
+}
+
+pm_curve_place pm_curve_foot_along(const pm_frame *frame, int curve, const double x[2], double s,
+                                   double *height)
+{
+    return search(frame, curve, x, s, s, height);
+}
+
 /* ---- lengths ---- */
 typedef struct pm_curve_line {
     const pm_frame *frame;
     int curve;
+    double of;
 } pm_curve_line;
 
 static double rate_at(double s, void *of)
 {
     const pm_curve_line *x = of;
-    return pm_curve_at(x->frame, x->curve, s).rate;
+    return pm_curve_along(x->frame, x->curve, s, x->of).rate;
 }
 
 /* By Patterson's quadrature, in halves where it does not come to an end. */
@@ -160,9 +177,9 @@ static double way_of(gsl_function *f, double from, double to, int halvings)
     return way_of(f, from, middle, halvings - 1) + way_of(f, middle, to, halvings - 1);
 }
 
-double pm_curve_way(const pm_frame *frame, int curve, double from, double to)
+double pm_curve_way(const pm_frame *frame, int curve, double from, double to, double of)
 {
-    pm_curve_line x = {frame, curve};
+    pm_curve_line x = {frame, curve, of};
     gsl_function f = {.function = rate_at, .params = &x};
     return from == to ? 0 : way_of(&f, from, to, PM_CURVE_HALVINGS);
 }
@@ -170,7 +187,8 @@ double pm_curve_way(const pm_frame *frame, int curve, double from, double to)
 /* ---- looking at all of it ---- */
 static double sample(const pm_frame *frame, int curve, int i)
 {
-    const double from = bound_of(frame, curve, PM_CURVE_FROM), to = bound_of(frame, curve, PM_CURVE_TO);
+    const double from = pm_curve_bound(frame, curve, PM_CURVE_FROM),
+                 to = pm_curve_bound(frame, curve, PM_CURVE_TO);
     return from + (to - from) * i / PM_CURVE_SAMPLES;
 }
 
@@ -205,7 +223,8 @@ pm_curve_place pm_curve_nearest(const pm_frame *frame, int curve, const double x
 double pm_curve_room(const pm_frame *frame, int curve, const pm_curve_place *x)
 {
     if (PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED]) return INFINITY;
-    const double from = bound_of(frame, curve, PM_CURVE_FROM), to = bound_of(frame, curve, PM_CURVE_TO);
+    const double from = pm_curve_bound(frame, curve, PM_CURVE_FROM),
+                 to = pm_curve_bound(frame, curve, PM_CURVE_TO);
     const int first = x->s - from < to - x->s;
     const pm_curve_place end = pm_curve_at(frame, curve, first ? from : to);
     const double room = hypot(x->p[0] - end.p[0], x->p[1] - end.p[1]);
@@ -240,7 +259,8 @@ static int has_cusp(const pm_curve_place *a, const pm_curve_place *b, double siz
 int pm_curve_check(pm_workspace *w, int curve)
 {
     const pm_frame *frame = &w->frame;
-    const double from = bound_of(frame, curve, PM_CURVE_FROM), to = bound_of(frame, curve, PM_CURVE_TO);
+    const double from = pm_curve_bound(frame, curve, PM_CURVE_FROM),
+                 to = pm_curve_bound(frame, curve, PM_CURVE_TO);
     if (!isfinite(from)) return bad(w, curve, PM_CURVE_FROM, from, 0);
     if (!isfinite(to) || !(to > from)) return bad(w, curve, PM_CURVE_TO, to, from);
     const double extent = pm_curve_extent(frame, curve), size = extent / (to - from);
@@ -254,7 +274,7 @@ int pm_curve_check(pm_workspace *w, int curve)
         before = at;
     }
     if (!PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED]) return PM_OK;
-    const pm_curve_series a = series_at(frame, curve, from), b = series_at(frame, curve, to);
+    const pm_curve_series a = series_at(frame, curve, from, from), b = series_at(frame, curve, to, to);
     const double gap = hypot(a.x.c[0] - b.x.c[0], a.y.c[0] - b.y.c[0]);
     return gap <= PM_CURVE_CLOSES * extent ? PM_OK
                                            : bad(w, curve, PM_CURVE_CLOSED, gap, PM_CURVE_CLOSES * extent);

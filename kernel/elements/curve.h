@@ -15,18 +15,29 @@ typedef struct pm_curve_place {
     double bend_rate; /* the same along the curve, 1/m^2 */
 } pm_curve_place;
 
+/* PM_CURVE_FROM or PM_CURVE_TO of the case. */
+static inline double pm_curve_bound(const pm_frame *frame, int curve, int column)
+{
+    return frame->numbers->value[PM_CURVE_ROW(frame->model, curve)[column]];
+}
+
 /* The place s; beyond the ends of an open curve by its series there, with the derivatives it ends with. */
 pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s);
+/* The same as that piece of the curve goes on in which `of` lies (curve_piece.h). */
+pm_curve_place pm_curve_along(const pm_frame *frame, int curve, double s, double of);
 
 /* The foot of a point x (in the axes of the curve): where x - p is along n, at the height n.(x - p).  The search starts from
  * the foot s that the point had before; it ends without a foot (a place that is no number) where the tangent turns by more than
  * PM_CURVE_WINDOW. */
 pm_curve_place pm_curve_foot(const pm_frame *frame, int curve, const double x[2], double s, double *height);
+/* The same on the piece in which s lies. */
+pm_curve_place pm_curve_foot_along(const pm_frame *frame, int curve, const double x[2], double s,
+                                   double *height);
 /* The foot that is nearest to x of all. */
 pm_curve_place pm_curve_nearest(const pm_frame *frame, int curve, const double x[2], double *height);
 
-/* The length along the curve from one place to another, with the sign of t. */
-double pm_curve_way(const pm_frame *frame, int curve, double from, double to);
+/* The length along the curve from one place to another, with the sign of t, on the piece in which `of` lies. */
+double pm_curve_way(const pm_frame *frame, int curve, double from, double to, double of);
 
 /* How far a place is from the nearer end along the curve, m; INFINITY of a closed curve, negative beyond an end. */
 double pm_curve_room(const pm_frame *frame, int curve, const pm_curve_place *x);

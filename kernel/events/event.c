@@ -163,7 +163,7 @@ static void add_contacts(pm_workspace *w)
         add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(&w->phase, w->event, FUNCTION_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
-        if (pm_edge_is(m, pm_contact_of_slot(m, i)) || pm_contact_curve_ends(m, pm_contact_of_slot(m, i)))
+        if (pm_edge_is(m, pm_contact_of_slot(m, i)) || pm_contact_curve_parts(m, pm_contact_of_slot(m, i)))
             add(&w->phase, w->event, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
                 w->numbers.size);
         if (mode == PM_SLIDE_FORWARD || mode == PM_SLIDE_BACKWARD)
@@ -214,7 +214,7 @@ static double room_of(const pm_workspace *w, int slot)
 {
     const int contact = pm_contact_of_slot(w->model, slot), member = w->state.slot[slot].member;
     return pm_edge_is(w->model, contact) ? pm_edge_room(&w->frame, &w->state, contact, member)
-                                         : pm_contact_curve_room(&w->frame, contact, member);
+                                         : pm_contact_curve_room(&w->frame, slot, member);
 }
 
 double pm_event_sample(pm_workspace *w, const pm_event_function *f)

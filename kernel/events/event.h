@@ -19,12 +19,12 @@ enum pm_function_kind {
     FUNCTION_STICK,
     FUNCTION_SLIP,
     FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
-    FUNCTION_END,     /* of an edge, or an open curve, that something touches */
+    FUNCTION_END,     /* of an edge, an open curve or a piece of one, that something touches */
     FUNCTION_STRAND, /* of a taut cord: where it is shortest, nothing may be left of it between its circles */
     FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
     FUNCTION_JOINT_SLIP,  /* its slip where it slides */
     FUNCTION_FLANK,       /* of teeth: how the flank is pressed that is loaded */
-    FUNCTION_TRACK        /* of a joint on a curve that is open: how far its foot is from the nearer end */
+    FUNCTION_TRACK /* of a joint on a curve that is open or has pieces: how far its foot is from the nearer end */
 };
 
 /* What is known of the next zero of a function in the step that was sampled last. */

@@ -7,6 +7,7 @@
 #include "elements/contact_curve.h"
 #include "elements/trigger.h"
 #include "events/last_bounce.h"
+#include "events/track.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/route.h"
@@ -46,23 +47,31 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
     }
 }
 
-/* Where a force switches, or a table goes on by its next piece, the motion tells all that it decides. */
-static int is_of_force(const pm_model *m, const pm_event_function *f)
+static int is_at_knot(const pm_workspace *w, const pm_event_function *f)
 {
-    return f->kind == FUNCTION_TRIGGER &&
-           (pm_trigger_of_switch(m, f->index) || pm_trigger_is_of_piece(m, f->index));
+    if (f->kind == FUNCTION_TRACK) return !pm_track_is_at_end(&w->frame, f->index);
+    if (f->kind != FUNCTION_END || !pm_contact_curve_is(w->model, pm_contact_of_slot(w->model, f->index)))
+        return 0;
+    return !pm_contact_curve_is_at_end(&w->frame, f->index, w->state.slot[f->index].member);
+}
+
+/* Where a force switches, or a table or a curve goes on by its next piece, the motion tells all that it decides. */
+static int is_of_force(const pm_workspace *w, const pm_event_function *f)
+{
+    if (f->kind != FUNCTION_TRIGGER) return is_at_knot(w, f);
+    return pm_trigger_of_switch(w->model, f->index) || pm_trigger_is_of_piece(w->model, f->index);
 }
 
 /* A time of the scene comes whether the motion turns back there or not. */
-static int is_no_decision(const pm_model *m, const pm_event_function *f)
+static int is_no_decision(const pm_workspace *w, const pm_event_function *f)
 {
-    return is_of_force(m, f) || (f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index));
+    return is_of_force(w, f) || (f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(w->model, f->index));
 }
 
 void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
 {
     const pm_event_function *f = &w->event->function[function];
-    if (!w->evidence.active || is_no_decision(w->model, f)) return;
+    if (!w->evidence.active || is_no_decision(w, f)) return;
     pm_evidence_decision x = of_function(w->model, f);
     x.kind = PM_EVIDENCE_RATE;
     x.what = function;
@@ -124,7 +133,7 @@ static int did_not_fire(const pm_workspace *w, int i, int marks)
 {
     const pm_event_function *f = &w->event->function[i];
     const int known = f->level <= w->frame.level;
-    if (is_of_force(w->model, f)) return 0;
+    if (is_of_force(w, f)) return 0;
     return known && !w->event->hit[i] && !holds(&w->step, f) && !is_beyond(f) &&
            (marks || !takes_part(&w->frame, &w->state, f));
 }
@@ -143,8 +152,7 @@ int pm_event_evidence_located(const pm_workspace *w)
     if (!w->evidence.active) return 0;
     for (int i = 0; i < w->event->nfunction; i++) {
         const pm_event_function *f = &w->event->function[i];
-        if ((w->event->hit[i] && !is_no_decision(w->model, f)) || takes_part(&w->frame, &w->state, f))
-            return 1;
+        if ((w->event->hit[i] && !is_no_decision(w, f)) || takes_part(&w->frame, &w->state, f)) return 1;
     }
     return 0;
 }

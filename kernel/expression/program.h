@@ -50,9 +50,10 @@ double pm_program_of_time(const pm_model *m, int index, const double *param, con
 struct pm_program_walk;
 double pm_program_slope(pm_workspace *w, int index, const struct pm_program_walk *reading);
 
-/* A program that reads no measure but the place on a curve, with its derivatives at the place s. */
+/* A program that reads no measure but the place on a curve, with its derivatives at the place s; tables by that piece in
+ * which `of` lies. */
 pm_taylor pm_program_of_place(const pm_model *m, int index, const double *param, const double *value,
-                              double s);
+                              double s, double of);
 
 /* Checks codes, arguments and stack of every program of a table set; returns PM_OK or PM_BAD_TABLE. */
 int pm_program_validate(const pm_model *m, pm_where *where);

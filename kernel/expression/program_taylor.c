@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "expression/operation.h"
+#include "expression/piecewise.h"
 #include "expression/program.h"
 
 static pm_taylor negative(const pm_taylor *a)
@@ -49,8 +50,19 @@ static pm_taylor binary(int op, const pm_taylor *a, const pm_taylor *b)
     }
 }
 
+/* f(a), by the derivatives of f on that piece of the table in which `of` lies. */
+static pm_taylor piece(const pm_model *m, int table, const pm_taylor *a, double of)
+{
+    const pm_piecewise p = pm_piecewise_of(m, table);
+    const double *c = a->c;
+    double d[3];
+    const double f = pm_piecewise_piece(&p, pm_piecewise_number(&p, of), c[0], d);
+    return (pm_taylor){{f, d[0] * c[1], d[0] * c[2] + 0.5 * d[1] * c[1] * c[1],
+                        d[0] * c[3] + d[1] * c[1] * c[2] + d[2] * c[1] * c[1] * c[1] / 6}};
+}
+
 pm_taylor pm_program_of_place(const pm_model *m, int index, const double *param, const double *value,
-                              double s)
+                              double s, double of)
 {
     pm_taylor stack[PM_STACK];
     stack[0] = stack[1] = stack[2] =
@@ -62,7 +74,7 @@ pm_taylor pm_program_of_place(const pm_model *m, int index, const double *param,
             *a = x.op == PM_OP_MEASURE ? pm_taylor_variable(s)
                                        : pm_taylor_number(pm_program_number(&x, param, value));
             break;
-        case 1: *a = unary(x.op, a); break;
+        case 1: *a = x.op == PM_OP_PIECEWISE ? piece(m, x.arg, a, of) : unary(x.op, a); break;
         case 2: *a = binary(x.op, &a[0], &a[1]); break;
         default: *a = a[0].c[0] != 0 ? a[1] : a[2];
         }

@@ -1,8 +1,13 @@
-/* switches.c - on which side of a switch a phase begins, by a state a little ahead. */
+/* switches.c - on which side of a switch, and on which piece of a table or of a curve, a phase begins, by a state a little
+ * ahead. */
 #include "impact/switches.h"
 
 #include <math.h>
 
+#include "elements/constraint.h"
+#include "elements/contact_curve.h"
+#include "elements/curve_piece.h"
+#include "elements/joint.h"
 #include "elements/trigger.h"
 #include "equations/saddle.h"
 #include "events/event.h"
@@ -19,8 +24,8 @@ static int switch_of(const pm_model *m, int trigger)
                                                                                      : PM_NONE;
 }
 
-/* The value of a program a little later, by the accelerations of the frame. */
-static int look_ahead(pm_workspace *w, int program, double *value)
+/* The frame looks a little later, by its accelerations. */
+static void go_ahead(pm_workspace *w)
 {
     const double after = PM_SWITCH_LOOK * w->numbers.size / w->numbers.speed;
     pm_state_copy(&w->probe, &w->state);
@@ -30,9 +35,20 @@ static int look_ahead(pm_workspace *w, int program, double *value)
         w->probe.v[i] += after * w->frame.a[i];
     }
     pm_frame_look_state(&w->frame, &w->probe);
-    *value = pm_program_run(w, program);
+}
+
+static int come_back(pm_workspace *w)
+{
     pm_frame_look_state(&w->frame, &w->state);
     return pm_saddle_accelerate(w);
+}
+
+/* The value of a program there. */
+static int look_ahead(pm_workspace *w, int program, double *value)
+{
+    go_ahead(w);
+    *value = pm_program_run(w, program);
+    return come_back(w);
 }
 
 static int side_of(double x) { return x > 0; }
@@ -66,6 +82,45 @@ static int settle_piece(pm_workspace *w, int reading, int goes_on)
     if (!goes_on && p.beyond == PM_BEYOND_NONE && (there < 0 || there >= p.pieces)) return PM_OK;
     *piece = there;
     return *piece == before ? PM_OK : pm_saddle_accelerate(w);
+}
+
+/* ---- pieces of curves ---- */
+/* The piece of its curve into which the motion leads the foot of a constraint. */
+static int settle_foot(pm_workspace *w, const pm_constraint *c)
+{
+    const double here = pm_constraint_curve_foot(&w->frame, c);
+    go_ahead(w);
+    const double ahead = pm_constraint_curve_foot(&w->frame, c), way = isfinite(ahead) ? ahead - here : 0;
+    pm_frame_look_state(&w->frame, &w->state);
+    const double nothing = fmax(PM_SWITCH_ON_ZERO * fabs(way), PM_ON_ZERO * fabs(here));
+    pm_constraint_curve_go_on(&w->frame, c, way, nothing, &w->state.memory[c->foot]);
+    return pm_saddle_accelerate(w);
+}
+
+static int settle_joint(pm_workspace *w, int joint)
+{
+    pm_constraint c[PM_JOINT_CONSTRAINTS];
+    if (!pm_joint_of(w->model, joint)->feet || pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint))
+        return PM_OK;
+    pm_joint_constraints_of_any(&w->frame, joint, c);
+    return pm_curve_has_pieces(w->model, c[0].curve) ? settle_foot(w, &c[0]) : PM_OK;
+}
+
+static int settle_slot(pm_workspace *w, int slot)
+{
+    pm_constraint c;
+    const pm_slot *s = &w->state.slot[slot];
+    if (s->mode == PM_OPEN || s->mode == PM_CAPTURED || !pm_contact_curve_on(&w->frame, slot, s->member, &c))
+        return PM_OK;
+    return pm_curve_has_pieces(w->model, c.curve) ? settle_foot(w, &c) : PM_OK;
+}
+
+static int settle_feet(pm_workspace *w)
+{
+    int status = PM_OK;
+    for (int i = 0; !status && i < w->model->rows[PM_TABLE_JOINT]; i++) status = settle_joint(w, i);
+    for (int i = 0; !status && i < w->model->nslot; i++) status = settle_slot(w, i);
+    return status;
 }
 
 static int has_switched(const pm_workspace *w)
@@ -104,5 +159,5 @@ int pm_switches_settle(pm_workspace *w, int goes_on)
     }
     for (int i = 0; !status && i < w->model->rows[PM_TABLE_READING]; i++)
         status = settle_piece(w, i, goes_on);
-    return status;
+    return status || !pm_curve_any_pieces(w->model) ? status : settle_feet(w);
 }

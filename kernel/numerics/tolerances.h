@@ -81,6 +81,7 @@
 #define PM_CURVE_CUSP 1e-6 /* of the mean rate of a curve: a place at which it stops; larger: steep parameters are refused */
 #define PM_CURVE_LENGTH 1e-13 /* of a length along a curve; larger: rolling and sticking drift */
 #define PM_CURVE_HALVINGS 6 /* of a part of a curve whose length is not found at once; fewer: less exact where it is steep */
+#define PM_CURVE_BESIDE 1e-9 /* of the parameter's range: so far beside a knot a place is surely in its piece; larger: short pieces are passed */
 #define PM_CURVE_CLOSES 1e-9 /* of its extent: a gap that rounding makes of none; larger: open curves pass as closed */
 
 /* ---- scene ---- */

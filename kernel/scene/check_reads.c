@@ -4,6 +4,7 @@
 #include "elements/joint.h"
 #include "elements/measure.h"
 #include "expression/operation.h"
+#include "expression/piecewise.h"
 #include "expression/program.h"
 #include "scene/build.h"
 #include "scene/reference.h"
@@ -35,32 +36,59 @@ static int is_place(const pm_model *m, int measure)
 
 static int is_no_place(const pm_model *m, int measure) { return !is_place(m, measure); }
 
+static int is_program_of(const pm_model *m, int curve, int program)
+{
+    const int32_t *e = PM_CURVE_ROW(m, curve);
+    return e[PM_CURVE_X] == program || e[PM_CURVE_Y] == program;
+}
+
 static int is_of_curve(const pm_model *m, int program)
 {
-    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++) {
-        const int32_t *e = PM_CURVE_ROW(m, i);
-        if (e[PM_CURVE_X] == program || e[PM_CURVE_Y] == program) return 1;
+    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++)
+        if (is_program_of(m, i, program)) return 1;
+    return 0;
+}
+
+static int has_knots(const pm_model *m, int table, int knots)
+{
+    if (knots == PM_NONE) return 0;
+    const pm_piecewise a = pm_piecewise_of(m, table), b = pm_piecewise_of(m, knots);
+    for (int i = 0; a.pieces == b.pieces && i <= a.pieces; i++)
+        if (a.knot[i] != b.knot[i]) return 0;
+    return a.pieces == b.pieces && a.beyond == PM_BEYOND_NONE && b.beyond == PM_BEYOND_NONE;
+}
+
+/* A curve reads tables with its knots alone, each at the place itself. */
+static int reads_other_table(const pm_model *m, int program, int knots)
+{
+    int before = PM_NONE;
+    for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x); before = x.op) {
+        if (!pm_operation_of_table(x.op)) continue;
+        if (x.op != PM_OP_PIECEWISE || before != PM_OP_MEASURE || !has_knots(m, x.arg, knots)) return 1;
     }
     return 0;
 }
 
-static int reads_table(const pm_model *m, int program)
+static int check_knots(const pm_model *m, int curve, pm_where *where)
 {
-    for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x);)
-        if (pm_operation_of_table(x.op)) return 1;
-    return 0;
+    const int32_t *e = PM_CURVE_ROW(m, curve);
+    for (int k = PM_CURVE_X; k <= PM_CURVE_Y; k++)
+        if (reads_other_table(m, e[k], e[PM_CURVE_KNOTS]))
+            return pm_bad_table(where, PM_TABLE_CURVE, curve, e[k], PM_NONE);
+    return PM_OK;
 }
 
-/* Programs of curves read the place on them, no other measure and no table; no other program does. */
+/* Programs of curves read the place on them, no other measure and no table but by its knots; no other program does. */
 static int check_curves(const pm_model *m, pm_where *where)
 {
     for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++)
-        if (PM_CURVE_ROW(m, i)[PM_CURVE_SIDE] == 0) return pm_bad_table(where, PM_TABLE_CURVE, i, 0, 1);
+        if (PM_CURVE_ROW(m, i)[PM_CURVE_SIDE] == 0)
+            return pm_bad_table(where, PM_TABLE_CURVE, i, 0, 1);
+        else if (check_knots(m, i, where))
+            return PM_BAD_TABLE;
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) {
         const int measure = pm_program_walk_reads(m, i, is_of_curve(m, i) ? is_no_place : is_place);
         if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_PROGRAM, i, measure, PM_NONE);
-        if (is_of_curve(m, i) && reads_table(m, i))
-            return pm_bad_table(where, PM_TABLE_PROGRAM, i, PM_NONE, PM_NONE);
     }
     return PM_OK;
 }

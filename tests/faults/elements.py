@@ -30,8 +30,8 @@ FAULTS = [
     Fault(
         "curves: a circle rolls as far as the curve is long",
         "elements/constraint_curve.c",
-        "pm_curve_way(frame, c->curve, from, to->s) - c->radius_a * turned;",
-        "pm_curve_way(frame, c->curve, from, to->s) - 0 * turned;",
+        "pm_curve_way(frame, c->curve, from, to->s, of) - c->radius_a * turned;",
+        "pm_curve_way(frame, c->curve, from, to->s, of) - 0 * turned;",
     ),
     Fault(
         "curves: a circle goes round the end where the curve is drawn from",
@@ -44,6 +44,24 @@ FAULTS = [
         "elements/contact_curve.c",
         "return !behind && near.height - radius <= length;",
         "return near.height - radius <= length;",
+    ),
+    Fault(
+        "pieces of curves: a foot stays on the piece from which it comes",
+        "elements/curve_piece.c",
+        "of = piece.to + beside(frame, curve);",
+        "of = piece.to - beside(frame, curve);",
+    ),
+    Fault(
+        "pieces of curves: each place is on its own",
+        "elements/curve.c",
+        "pm_curve_has_pieces(frame->model, curve) ? of : s",
+        "pm_curve_has_pieces(frame->model, curve) ? s : s",
+    ),
+    Fault(
+        "pieces of curves: every knot is an end of the curve",
+        "elements/curve_piece.c",
+        "piece.from <= all.from : piece.to >= all.to",
+        "piece.from <= all.to : piece.to >= all.from",
     ),
     Fault(
         "teeth: both flanks draw their wheels together",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "pieces of curves: their third derivative is none",
+        "expression/program_taylor.c",
+        "d[2] * c[1] * c[1] * c[1] / 6",
+        "0 * d[2] * c[1] * c[1] * c[1] / 6",
+    ),
+    Fault(
         "second derivatives: a product has no mixed term",
         "expression/program_rate.c",
         "a.change * b.x + 2 * a.rate * b.rate + a.x * b.change",

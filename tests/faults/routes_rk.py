@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "rk: coordinates that are dependent where a step begins",
+        "routes/rk/route_rk.c",
+        "if (status != PM_SINGULAR) return status;\n    pm_tree_partition",
+        "if (status) return status;\n    pm_tree_partition",
+    ),
+    Fault(
         "rk: stages that cancel are rounded",
         "routes/rk/rk_formula.c",
         "(pm_lanes_load(x + 2) - b)",

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "pieces of curves: any table is read",
+        "scene/check_reads.c",
+        "if (a.knot[i] != b.knot[i]) return 0;",
+        "if (a.knot[i] != b.knot[i]) continue;",
+    ),
+    Fault(
+        "pieces of curves: a table is read anywhere",
+        "scene/check_reads.c",
+        "before != PM_OP_MEASURE ||",
+        "",
+    ),
+    Fault(
         "needed: a contact lets nothing act",
         "scene/dependency.c",
         "{PM_TABLE_CONTACT, element_is_needed},",

@@ -19,7 +19,7 @@ static int parabola(scene *s, int body, double a, double from, double to)
     const int x = SCENE_PROGRAM(s, place), y = SCENE_PROGRAM(s, place, place, scene_op(PM_OP_MUL),
                                                              scene_k(s, 0.5 * a), scene_op(PM_OP_MUL));
     return SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, body, 0, 0), x, y, scene_value(s, from),
-                     scene_value(s, to), 0, 1);
+                     scene_value(s, to), 0, 1, PM_NONE);
 }
 
 /* Half axes a, b; free inside (side 1) or outside. */
@@ -29,7 +29,7 @@ static int ellipse(scene *s, double a, double b, int side)
     const int x = SCENE_PROGRAM(s, scene_k(s, a), place, scene_op(PM_OP_COS), scene_op(PM_OP_MUL)),
               y = SCENE_PROGRAM(s, scene_k(s, b), place, scene_op(PM_OP_SIN), scene_op(PM_OP_MUL));
     return SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, PM_GROUND, 0, 0), x, y, scene_value(s, 0),
-                     scene_value(s, 2 * acos(-1.)), 1, side);
+                     scene_value(s, 2 * acos(-1.)), 1, side, PM_NONE);
 }
 
 static int touch(scene *s, int body, double radius, int curve, double e, int friction)
@@ -109,7 +109,7 @@ static void stays_on_the_near_side(int route)
     const int x = SCENE_PROGRAM(s, scene_k(s, 0.5), place, scene_op(PM_OP_COS), scene_op(PM_OP_MUL)),
               y = SCENE_PROGRAM(s, scene_k(s, 0.3), place, scene_op(PM_OP_SIN), scene_op(PM_OP_MUL));
     const int curve = SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, cam, 0.1, 0), x, y, scene_value(s, 0),
-                                scene_value(s, 2 * acos(-1.)), 1, -1);
+                                scene_value(s, 2 * acos(-1.)), 1, -1, PM_NONE);
     const int g = scene_point(s, roller, 0, 0), axle = scene_point(s, PM_GROUND, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, cam, 0, 0), axle, 0);
     scene_joint(s, PM_JOINT_SLIDER_FIXED, g, scene_line(s, axle, acos(-1.) / 2), 0);

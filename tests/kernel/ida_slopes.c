@@ -43,7 +43,7 @@ static void bead(scene *s, marks *x, int rubs)
     const double at = any();
     const int y = SCENE_PROGRAM(s, place, place, mul, scene_k(s, 0.4), mul);
     const int curve = SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, PM_GROUND, -4, 0), SCENE_PROGRAM(s, place),
-                                y, scene_value(s, -3), scene_value(s, 3), 0, 1);
+                                y, scene_value(s, -3), scene_value(s, 3), 0, 1, PM_NONE);
     x->body[5] = body_at(s, (pose){at - 4, 0.4 * at * at, any()});
     const int centre = scene_point(s, x->body[5], 0, 0),
               slot = scene_joint(s, PM_JOINT_SLOT, centre, curve, 0);

@@ -11,6 +11,8 @@ from .base.bounded import read_bytes
 from .base.errors import SceneError
 from .base.toml import parse_toml
 from .base.written import written, written_key
+from .reading.places import without_files
+from .reading.scene import SceneData
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -69,6 +71,10 @@ def to_toml(raw: Mapping[str, Any]) -> str:
     return "\n\n".join(texts) + "\n"
 
 
-def to_whole_toml(raw: Mapping[str, Any], tables: Mapping[str, Any]) -> str:
-    """The same with other [tables], such as those whose values stand in files of their own."""
-    return to_toml({**raw, "tables": {**raw["tables"], **tables}})
+def to_whole_toml(raw: Mapping[str, Any], data: SceneData) -> str | None:
+    """The same with what stands in files of their own, values and points; None if nothing does."""
+    values = {name: table.in_scene for name, table in data.tables.items() if table.file is not None}
+    whole = without_files(raw, data)
+    if values:
+        whole = {**whole, "tables": {**raw["tables"], **values}}
+    return None if whole is raw else to_toml(whole)

@@ -237,9 +237,8 @@ class Scene:
         from .file import to_toml, to_whole_toml
 
         if self.data.whole is not None:
-            return to_toml(self.data.whole)
-        values = {name: table.in_scene for name, table in self.data.tables.items() if table.file is not None}
-        return to_whole_toml(self._raw, values) if values else self.text
+            return to_whole_toml(self.data.whole, self.data) or to_toml(self.data.whole)
+        return to_whole_toml(self._raw, self.data) or self.text
 
     def to_toml(self) -> str:
         """The scene as TOML, written anew."""

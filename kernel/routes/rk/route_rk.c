@@ -219,6 +219,18 @@ static double sidestep(double first, double longest, int n)
     return n % 2 && first * factor <= longest ? first * factor : first / factor;
 }
 
+/* Coordinates for a step that was singular somewhere: chosen at that place, they may not determine the others where the step
+ * begins, and then are chosen there. */
+static int choose_again(pm_workspace *w)
+{
+    struct pm_rk *r = w->rk;
+    if (!pm_rk_choose_coordinates(w)) return PM_OK;
+    const int status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
+    if (status != PM_SINGULAR) return status;
+    pm_tree_partition(&w->frame, w->tree);
+    return pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
+}
+
 static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
@@ -252,8 +264,7 @@ static int step(pm_workspace *w, double t_limit)
         rejected++;
         /* singular somewhere in the step */
         const int few = w->tree->part.few;
-        if (pm_rk_choose_coordinates(w) && (status = pm_rk_derivative(w, r->t0, r->y0, 1, r->k)))
-            return status;
+        if ((status = choose_again(w))) return status;
         if (sidesteps < PM_RK_SIDESTEPS && met_singular(w->tree))
             h = sidestep(first, longest_step(w), ++sidesteps);
         else if (few == w->tree->part.few)

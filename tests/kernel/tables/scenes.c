@@ -107,7 +107,8 @@ static tables turning_bead(void)
               o = scene_point(s, PM_GROUND, 0, 0);
     const scene_code place = scene_m(scene_measure(s, PM_MEASURE_PLACE, PM_NONE));
     const int x = SCENE_PROGRAM(s, place), y = SCENE_PROGRAM(s, place, place, scene_op(PM_OP_MUL));
-    const int curve = SCENE_ROW(s, PM_TABLE_CURVE, o, x, y, scene_value(s, -1), scene_value(s, 1), 0, 1);
+    const int curve =
+        SCENE_ROW(s, PM_TABLE_CURVE, o, x, y, scene_value(s, -1), scene_value(s, 1), 0, 1, PM_NONE);
     scene_joint(s, PM_JOINT_SLOT, g, curve, 0);
     SCENE_ROW(s, PM_TABLE_SPIN, scene_value(s, 0), scene_value(s, 0), scene_value(s, 1.5707963267948966),
               scene_value(s, 0.1), scene_value(s, 2), PM_NONE);

@@ -1,6 +1,7 @@
-"""Curves as marks: (x(s), y(s)) by expressions or by name, in the axes of their owner.
+"""Curves as marks: (x(s), y(s)) by expressions, by name or by points, in the axes of their owner.
 
-A named curve becomes expressions of s as well, so that there is one kind of curve behind all words.
+Named curves and those by points become expressions of s as well, so that there is one kind of curve behind
+all words.
 """
 
 from __future__ import annotations
@@ -12,12 +13,13 @@ from ..base.errors import SceneError
 from ..language.dimensions import DIMENSIONLESS, LENGTH, Dimension
 from ..language.homogeneity import dimension
 from ..language.leaves import Leaf, names, operands, substitute
-from ..language.lookup import Lookup
+from ..language.lookup import Lookup, Piecewise
 from ..language.parser import parse
 from ..language.tree import ZERO, Binary, Call, Name, Node, Number, Unary, cos, sin
+from ..model.curve import CURVES, Curve
 from ..model.readers import Value
-from ..model.tables import CURVES, Curve
 from .parameters import Reader
+from .spline import spline
 
 Pair = tuple[Node, Node]
 
@@ -30,6 +32,10 @@ _CORNERS = ("abs", "min", "max", "floor", "sign", "select")
 _COMPARISONS = ("=", "!=", "<", "<=", ">", ">=", "and", "or")
 
 
+_A_CURVE = f"a curve is {{ x, y, from, to }}, {{ points }}, {{ file }}, or one of {', '.join(CURVES)}"
+_FIELDS = {"from": "start"}
+
+
 @dataclass(frozen=True)
 class CurveMark:
     """The places (x, y) of `PLACE` between two bounds; `side` 1: the free side is on the left as s grows."""
@@ -39,6 +45,7 @@ class CurveMark:
     bounds: Pair
     closed: bool
     side: int
+    knots: Piecewise | None = None  # of a curve by points: its third derivative jumps there
 
     def at(self, s: Node) -> Pair:
         """The place at one s."""
@@ -52,12 +59,17 @@ class CurveMark:
 def curve_mark(reader: Reader, curve: Curve, where: str) -> CurveMark:
     """The mark that a table says.  Raises SceneError for a table that says no curve, or two."""
     given = [word for word in CURVES if getattr(curve, word) is not None]
-    if not given and curve.x is not None and curve.y is not None:
+    knots = None
+    if curve.places is not None:
+        x, y, bounds, closed, knots = _through(reader, curve, where)
+    elif not given and curve.x is not None and curve.y is not None:
         x, y, bounds, closed = _written(reader, curve, where)
     elif len(given) == 1 and curve.x is None and curve.y is None:
         x, y, bounds, closed = _NAMED[given[0]](reader, curve, where)
     else:
-        raise SceneError(f"a curve is {{ x, y, from, to }}, or one of {', '.join(CURVES)}", path=where)
+        raise SceneError(_A_CURVE, path=where)
+    if curve.places is None and "scale" in curve.model_fields_set:
+        raise SceneError("a scale is that of a curve by points; it has none", path=f"{where}.scale")
     place = reader.vector(curve.at, f"{where}.at", LENGTH)
     turn = reader.number(curve.angle, f"{where}.angle", DIMENSIONLESS)
     c, s = cos(turn), sin(turn)
@@ -67,10 +79,24 @@ def curve_mark(reader: Reader, curve: Curve, where: str) -> CurveMark:
         bounds,
         closed,
         1 if curve.side == "left" else -1,
+        knots,
     )
 
 
 _Read = tuple[Node, Node, Pair, bool]
+
+
+def _through(reader: Reader, curve: Curve, where: str) -> tuple[Node, Node, Pair, bool, Piecewise]:
+    """A spline through points, whose s is the length of the chords between them."""
+    assert curve.places is not None
+    words = (*CURVES, "x", "y", "from", "to")
+    others = [word for word in words if getattr(curve, _FIELDS.get(word, word)) is not None]
+    if others:
+        raise SceneError(f"a curve by points has no {others[0]}; {_A_CURVE}", path=f"{where}.{others[0]}")
+    scale = reader.number(curve.scale, f"{where}.scale", DIMENSIONLESS)
+    x, y = spline(curve.places, curve.closed, where)
+    bounds = (Number(x.knots[0], LENGTH), Number(x.knots[-1], LENGTH))
+    return scale * Lookup(x, (PLACE,)), scale * Lookup(y, (PLACE,)), bounds, curve.closed, x
 
 
 def _written(reader: Reader, curve: Curve, where: str) -> _Read:

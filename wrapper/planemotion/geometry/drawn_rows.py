@@ -109,6 +109,8 @@ class DrawnRows:
         ):
             row[column] = self.tables.value(bound, f"{where}.{key}")
         row |= {layout.PM_CURVE_CLOSED: int(mark.closed), layout.PM_CURVE_SIDE: mark.side}
+        knots = layout.PM_NONE if mark.knots is None else self.tables.piecewise(mark.knots)
+        row[layout.PM_CURVE_KNOTS] = knots
         return self.tables.add(layout.PM_TABLE_CURVE, row, where)
 
     def _add_body(self, name: str, body: Body) -> None:

@@ -11,6 +11,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field
 
+from .curve import Curve
 from .element import Kind, Number, Pair, Partners, Table, Text
 from .listed import Cases, Listed
 from .readers import (
@@ -75,28 +76,6 @@ class Row(Table):
     start: Pair = Field(alias="from")
     step: Pair
     count: Number | None = None
-
-
-# Curves that have a name, each with its sizes.
-CURVES = ("ellipse", "arc", "parabola", "cycloid", "involute")
-
-
-class Curve(Table):
-    """A smooth curve: expressions x and y of s, or one that has a name."""
-
-    x: Number | None = None
-    y: Number | None = None
-    ellipse: Pair | None = None
-    arc: Number | None = None
-    parabola: Number | None = None
-    cycloid: Number | None = None
-    involute: Number | None = None
-    start: Number | None = Field(None, alias="from")
-    to: Number | None = None
-    closed: bool = False
-    side: Literal["left", "right"] = "left"
-    at: Pair = Vector(0, 0)
-    angle: Number = 0
 
 
 Points = dict[str, Annotated[Vector | Offset, BeforeValidator(read_point)]]

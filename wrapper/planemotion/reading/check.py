@@ -13,6 +13,7 @@ from ..base.errors import Faults, SceneError, nearest
 from ..kinds import KINDS
 from ..language.tree import WRITTEN_FUNCTIONS
 from ..model import words
+from ..model.curve import Curve
 from ..model.element import Table
 from ..model.readers import DISTRIBUTIONS, SWEEP_KEYS
 from ..model.tables import (
@@ -21,7 +22,6 @@ from ..model.tables import (
     At,
     Body,
     Circle,
-    Curve,
     Design,
     Driven,
     Event,

@@ -30,6 +30,7 @@ from .asked import check_ask
 from .cases import with_cases
 from .check import check, kind_of
 from .measured import add_points
+from .places import with_places
 from .renamed import renewed
 from .scene import SceneData, Source
 from .whole import whole_scene
@@ -71,6 +72,7 @@ def validate(
         content = {**raw, "id": raw.get("id", name), "parameters": parameters, **told}
         measured = {"tables": add_points(raw, file)} if "tables" in raw else {}
         measured.update(with_cases({**raw, "parameters": parameters}, file))
+        content = with_places(content, file)
         data = _construct({**content, **_taken_apart(raw), **_elements(raw), **measured})
         _check_more(data)
     except SceneError as error:

@@ -12,6 +12,7 @@ from ..examples import text_of
 from ..kinds import KINDS
 from ..kinds.base import Bearing
 from ..model import tables
+from ..model.curve import Curve
 from ..model.element import Element, Kind, Table
 from ..model.listed import Cases
 from ..model.tabulated import Tabulated
@@ -22,7 +23,7 @@ from .meaning import Meaning, meaning_of, meanings
 _CHAPTERS: Mapping[str, tuple[type[Table], ...]] = {
     "A scene": (SceneData,),
     "Bodies and marks": (
-        *(tables.Body, tables.Ground, tables.Line, tables.Circle, tables.Row, tables.Curve),
+        *(tables.Body, tables.Ground, tables.Line, tables.Circle, tables.Row, Curve),
         *(tables.Driven, tables.Spin, Tabulated),
     ),
     "Parts": (tables.Part,),

@@ -16,6 +16,7 @@ from pydantic.fields import FieldInfo
 
 from ..kinds import KINDS
 from ..model import readers
+from ..model.curve import read_points
 from ..model.element import Kind, Table
 from ..model.listed import Cases
 from ..model.tables import Design, Find, Refine, Retry, Sweep, Swept
@@ -57,6 +58,7 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_named: _TEXTS,
     readers.read_correlation: {"type": "array", "items": {"type": "array", "minItems": 3, "maxItems": 3}},
     readers.read_vector: _VECTOR,
+    read_points: {"type": "array", "items": _VECTOR},
     readers.read_value_or_vector: {"anyOf": [_VALUE, _VECTOR]},
     readers.read_point: {
         "anyOf": [
