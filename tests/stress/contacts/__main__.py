@@ -8,7 +8,7 @@ import multiprocessing
 import os
 import sys
 import time
-from collections import Counter
+from collections import Counter, defaultdict
 
 from rich.console import Console
 from rich.table import Table
@@ -39,10 +39,11 @@ def main() -> int:
     return 1 if faults else 0
 
 
-def _batch(task: tuple[int, int, str, bool]) -> tuple[tuple[str, int], Counter[str]]:
+def _batch(task: tuple[int, int, str, bool]) -> tuple[tuple[str, int], Counter[str], float]:
     seed, contacts, law, blow = task
+    begun = time.process_time()
     words = one_body.table(seed, BATCH, contacts, law, blow=blow)
-    return (law if blow else "from rest", contacts), words
+    return (law if blow else "from rest", contacts), words, time.process_time() - begun
 
 
 def one_body_table(given: argparse.Namespace, console: Console) -> int:
@@ -57,15 +58,18 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
         for i in range(-(-count // (BATCH * len(CONTACTS))))
     ]
     found: dict[tuple[str, int], Counter[str]] = {}
+    seconds: defaultdict[tuple[str, int], float] = defaultdict(float)
     with multiprocessing.Pool(given.jobs) as pool:
-        for key, words in pool.imap_unordered(_batch, tasks):
+        for key, words, took in pool.imap_unordered(_batch, tasks):
             found.setdefault(key, Counter()).update(words)
+            seconds[key] += took
     shown = Table(
-        "law", "contacts", *BY_THEORY, "wrong or failed", title="one body, beside the laws restated"
+        "law", "contacts", *BY_THEORY, "wrong or failed", "s", title="one body, beside the laws restated"
     )
     for (law, contacts), words in sorted(found.items()):
         bad = sum(n for word, n in words.items() if is_fault(word))
-        row = [law, str(contacts), *(str(words[word]) for word in BY_THEORY), str(bad)]
+        counted = (str(words[word]) for word in BY_THEORY)
+        row = [law, str(contacts), *counted, str(bad), f"{seconds[law, contacts]:.0f}"]
         shown.add_row(*row, style="red" if bad else None)
     console.print(shown)
     total: Counter[str] = sum(found.values(), Counter())
@@ -76,20 +80,27 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
 
 
 def throw_table(given: argparse.Namespace, console: Console) -> int:
-    """What became of throws, by kind; how many are faults."""
+    """What became of throws, by kind and law; how many are faults."""
     numbers = (n for n in itertools.count(given.first) if given.kind in (None, throws.throw(n).kind))
-    rows = list(thrown.table(itertools.islice(numbers, given.throws), given.jobs))
-    found = thrown.counts(rows)
-    shown = Table("thrown", *thrown.BY_THEORY, "wrong or failed", title="thrown until they rest")
-    for kind, words in sorted(found.items()):
-        bad = sum(n for word, n in words.items() if word not in thrown.BY_THEORY)
-        row = [kind, *(str(words[word]) for word in thrown.BY_THEORY), str(bad)]
-        shown.add_row(*row, style="red" if bad else None)
+    rows = sorted(thrown.table(itertools.islice(numbers, given.throws), given.jobs))
+    shown = Table("thrown", "law", *thrown.BY_THEORY, "wrong", "failed", "s", title="thrown until they rest")
+    for kind, law in sorted({(row.kind, row.law) for row in rows}):
+        of_it = [row for row in rows if (row.kind, row.law) == (kind, law)]
+        words = Counter(row.word for row in of_it)
+        wrong = sum(n for word, n in words.items() if word.startswith("wrong"))
+        failed = sum(n for word, n in words.items() if word not in thrown.BY_THEORY) - wrong
+        counted = (str(words[word]) for word in thrown.BY_THEORY)
+        took = f"{sum(row.seconds for row in of_it):.0f}"
+        style = "red" if wrong or failed else None
+        shown.add_row(kind, law, *counted, str(wrong), str(failed), took, style=style)
     console.print(shown)
-    bad_rows = [row for row in sorted(rows) if row[2] not in thrown.BY_THEORY]
-    for number, kind, word, why in bad_rows:
-        console.print(f"throw {number} ({kind}): {word}: {why}", markup=False)
-    return len(bad_rows)
+    for row in rows:
+        if row.word != thrown.RIGHT:
+            console.print(f"throw {row.number} ({row.kind}): {row.word}: {row.why}", markup=False)
+    slowest = max(rows, key=lambda row: row.seconds, default=None)
+    if slowest is not None:
+        console.print(f"the slowest, throw {slowest.number}, took {slowest.seconds:.1f} s")
+    return sum(row.word not in thrown.BY_THEORY for row in rows)
 
 
 if __name__ == "__main__":

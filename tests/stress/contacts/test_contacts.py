@@ -25,8 +25,8 @@ def test_one_body_obeys_the_laws_restated(law: str, contacts: int, blow: bool) -
 
 def test_what_is_thrown_comes_to_rest_in_equilibrium_whatever_the_order_and_the_mirror() -> None:
     rows = list(thrown.table(range(40), 2))
-    assert [row for row in rows if row[2] not in thrown.BY_THEORY] == []
-    assert sum(row[2] == "ok" for row in rows) > 35
+    assert [row for row in rows if row.word not in thrown.BY_THEORY] == []
+    assert sum(row.word == "ok" for row in rows) > 35
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,7 @@ def test_what_is_thrown_comes_to_rest_in_equilibrium_whatever_the_order_and_the_
     ],
 )
 def test_throws_that_did_not_go_on(number: int) -> None:
-    assert thrown.become(number)[2] in ("ok", "undecided")
+    assert thrown.become(number).word in ("ok", "undecided")
 
 
 def _problem() -> Problem:
