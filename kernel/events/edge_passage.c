@@ -131,3 +131,33 @@ int pm_edge_passage_between(pm_workspace *w, int i, int k, pm_event_at *gap_at, 
     int looks = PM_PASSAGE_LOOKS;
     return passes(w, f, gap_at, &c, &looks, x);
 }
+
+static int is_over(const pm_chord *c, int end) { return c->u[end] > 0 && c->u[end] < c->length; }
+
+/* The chord from its middle, which begins `rest`, on to its end. */
+static pm_chord cut_first(const pm_chord *c, const pm_chord *rest)
+{
+    pm_chord cut = *c;
+    cut.x[0] = rest->x[0];
+    cut.u[0] = rest->u[0];
+    cut.h[0] = rest->h[0];
+    cut.gap[0] = rest->gap[0];
+    return cut;
+}
+
+int pm_edge_passage_after(pm_workspace *w, int i, int k, pm_event_at *gap_at, pm_span *x)
+{
+    pm_event_function *f = &w->event->function[i];
+    const pm_chord whole = chord_between(w, i, k);
+    pm_chord first = whole, half[2];
+    int looks = PM_PASSAGE_LOOKS;
+    for (int n = 0; n < PM_BOUNCE_HALVINGS && !is_within(&whole); n++) {
+        halve(w, f, gap_at, &first, half);
+        first = half[0];
+        if (!is_over(&first, 1) || fabs(first.gap[1]) <= f->slack) continue;
+        const pm_chord rest = cut_first(&whole, half + 1);
+        *x = (pm_span){whole.x[0], first.x[1], 0, first.gap[1]};
+        return first.gap[1] < 0 || passes(w, f, gap_at, &rest, &looks, x);
+    }
+    return 0;
+}

@@ -164,6 +164,19 @@ static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, 
     if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
 }
 
+/* Node k is the first on which a gap, or a load, that was on zero is off it. */
+static int returns_after(pm_workspace *w, int i, const pm_event_course *of, int k, pm_span *x)
+{
+    const double a = w->event->place[k - 1];
+    pm_event_function *f = &w->event->function[i];
+    *x = (pm_span){a, w->event->place[k], 0, of->g[k]};
+    if (!(of->g[k] < 0) &&
+        (f->edge == PM_NONE || !pm_edge_passage_after(w, i, k - 1, pm_event_samples_along, x)))
+        return 0;
+    if (x->a == a) leaves_and_returns(w, f, a, x->b, x->gb, x);
+    return 1;
+}
+
 /* How far from zero a held trigger has left it.  One that was zero throughout the step before the phase fires as it leaves to
  * the side on which it counts; at the start of a run it has no past, and later it rests no more. */
 static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
@@ -239,9 +252,7 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
     if (f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;
         *first = k;
-        if (k == of->n || !(g[k] < 0)) return 0;
-        leaves_and_returns(w, f, place[k - 1], place[k], g[k], x);
-        return 1;
+        return k < of->n && returns_after(w, i, of, k, x);
     }
     if (changes_sign || !(g[0] <= 0)) return 0;
     *x = (pm_span){place[0], place[0], 0, 0}; /* the last step ended on its zero */

@@ -95,13 +95,22 @@ static int find_earliest(pm_workspace *w, double from, int *earliest, double *fi
     return PM_OK;
 }
 
+/* What has parted so slowly that on exact states no time shows in which it comes back has not bounced. */
+static void note_spent(pm_event_set *e, const pm_step *step, int earliest, double first)
+{
+    const pm_event_function *f = &e->function[earliest];
+    if (f->kind == FUNCTION_GAP && f->held && first <= step->begin) e->spent[f->index] = 1;
+}
+
 int pm_event_search_first(pm_workspace *w, double from, double *first, double *taken)
 {
     int earliest;
     pm_span x;
-    const int status = find_earliest(w, from, &earliest, first, &x);
+    int status = find_earliest(w, from, &earliest, first, &x);
     if (status || earliest == PM_NONE || *first <= w->step.begin) return status;
-    return pm_event_locate_settle(w, earliest, &x, first, taken);
+    status = pm_event_locate_settle(w, earliest, &x, first, taken);
+    note_spent(w->event, &w->step, earliest, *first);
+    return status;
 }
 
 /* The last sample of function i not after `place` that is beyond rounding, or what it was before; 0 if it has fired since. */

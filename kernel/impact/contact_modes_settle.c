@@ -70,6 +70,20 @@ static int accelerate(pm_workspace *w)
     return w->phase.kinematic ? PM_OK : pm_saddle_accelerate_projected(w);
 }
 
+/* The projection on modes that were tried and do not stand is taken back: where their constraints nearly depend on each other
+ * it moves bodies that these do not hold. */
+static void keep(pm_workspace *w)
+{
+    memcpy(w->instant.place, w->state.q, (size_t)w->model->nq * sizeof(double));
+    memcpy(w->instant.velocity, w->state.v, (size_t)w->model->nq * sizeof(double));
+}
+
+static void take_back(pm_workspace *w)
+{
+    memcpy(w->state.q, w->instant.place, (size_t)w->model->nq * sizeof(double));
+    memcpy(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double));
+}
+
 /* The slip of a constraint accelerates so, which holds no more. */
 static int way_of(const pm_frame *frame, pm_constraint *c)
 {
@@ -120,26 +134,57 @@ static int reverse_slip(pm_workspace *w)
     return 0;
 }
 
+/* Loads that no rounding makes of loads which contacts could give. */
+static int are_absurd(const pm_workspace *w, double size)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int normal = w->active.slot_normal[i], tangent = w->active.slot_tangent[i];
+        const int contact = pm_contact_of_slot(w->model, i);
+        const double load = normal < 0 ? 0 : w->frame.lambda[normal];
+        if (load < -size) return 1;
+        if (tangent < 0 || normal < 0 || pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB)
+            continue;
+        if (fabs(w->frame.lambda[tangent]) - pm_contact_static(&w->frame, contact) * load > size) return 1;
+    }
+    return 0;
+}
+
+static int stand_now(pm_workspace *w)
+{
+    take_back(w);
+    return !accelerate(w) && stands(w, force_size(&w->frame, &w->active));
+}
+
+/* Next to such a position what sticks is held so nearly by the joints that their reactions are none which contacts could give,
+ * though the accelerations of free bodies ask for these modes.  Up to so many slips, from this slot on, go on the other way:
+ * 1 where all stand then. */
+static int reverse_nearly(pm_workspace *w, int from, int most)
+{
+    for (int i = from; i < w->model->nslot && most > 0; i++) {
+        take_back(w);
+        if (!reverse_contact(w, i)) continue;
+        if (stand_now(w) || reverse_nearly(w, i + 1, most - 1)) return 1;
+        w->state.slot[i].mode = PM_STICK;
+        w->instant.slot_reversed[i] = 0;
+    }
+    return 0;
+}
+
+/* Fewest first; where none stand the modes are as before. */
+static void reverse_few(pm_workspace *w)
+{
+    for (int most = 1; most <= PM_REVERSED; most++)
+        if (reverse_nearly(w, 0, most)) return;
+    take_back(w);
+    (void)accelerate(w);
+}
+
 /* Modes that stand may not be the only ones. */
 static int check_one(pm_workspace *w)
 {
     if (!pm_contact_modes_are_open_by_theory(w)) return PM_OK;
     const int status = pm_contact_modes_check_one(w);
     return status ? status : accelerate(w);
-}
-
-/* The projection on modes that were tried and do not stand is taken back: where their constraints nearly depend on each other
- * it moves bodies that these do not hold. */
-static void keep(pm_workspace *w)
-{
-    memcpy(w->instant.place, w->state.q, (size_t)w->model->nq * sizeof(double));
-    memcpy(w->instant.velocity, w->state.v, (size_t)w->model->nq * sizeof(double));
-}
-
-static void take_back(pm_workspace *w)
-{
-    memcpy(w->state.q, w->instant.place, (size_t)w->model->nq * sizeof(double));
-    memcpy(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double));
 }
 
 /* What slips by less than counts as slip is stopped by the modes that stand: these impulses belong into the ledger.  Next to a
@@ -185,7 +230,9 @@ int pm_contact_modes_settle(pm_workspace *w)
         if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
         if (status || w->phase.kinematic) return status;
         const double size = force_size(&w->frame, &w->active);
-        if (!changed || stands(w, size)) {
+        const int stand = stands(w, size);
+        if (!changed || stand) {
+            if (!stand && are_absurd(w, PM_ABSURD * size)) reverse_few(w);
             if (!joints_change(w, PM_PULLS * size)) return settled(w, solved);
             changed = 1;
         } else if ((status = pm_contact_modes_solve(w, &changed))) {

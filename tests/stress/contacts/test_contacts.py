@@ -140,6 +140,10 @@ def test_a_number_is_always_the_same_throw() -> None:
         (2820, "ida"),
         (1579, ""),  # a corner cuts off the end of an edge
         (1743, ""),
+        (2328, ""),  # next to where dominoes lock, what sticks is held by joints alone
+        (23801, ""),  # two slips at once
+        (2787, ""),  # what parts so slowly that no time shows in which it comes back has not bounced
+        (501822, ""),  # a short bounce close to the end of an edge, which is passed before the next look
         (102250, ""),  # what turns at once on a path has no way that energies show
     ],
 )
@@ -161,11 +165,7 @@ def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
 
 
 def test_what_changes_in_turn_at_one_time_is_told() -> None:
-    """Dominoes that lock each other: no motion that is found goes on; which do depends on rounding."""
-    told = [
-        ran.why
-        for number in (23180, 23801)
-        if (ran := thrown.Ran(throw(number).text(), 4)).status == "alternates"
-    ]
-    assert told
-    assert all("contacts stick, slip or part in turn" in why for why in told)
+    """No motion that is found goes on."""
+    ran = thrown.Ran(throw(501206).text(), 1)
+    assert ran.status == "alternates"
+    assert "contacts stick, slip or part in turn" in ran.why
