@@ -148,7 +148,6 @@ int pm_contact_modes_begin(pm_workspace *w)
     memcpy(w->instant.slot_before, w->state.slot, (size_t)m->nslot * sizeof(pm_slot));
     memcpy(w->instant.friction_before, w->state.friction, (size_t)m->nfriction * sizeof(int32_t));
     memset(w->instant.slot_released, 0, (size_t)m->nslot);
-    memset(w->instant.slot_reversed, 0, (size_t)m->nslot);
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
         if (w->event->function[i].kind == FUNCTION_END) {

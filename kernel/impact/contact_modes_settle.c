@@ -119,7 +119,6 @@ static int reverse_contact(pm_workspace *w, int slot)
     }
     pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, slot);
     s->mode = way_of(&w->frame, &slip);
-    w->instant.slot_reversed[slot] = 1;
     return 1;
 }
 
@@ -165,7 +164,6 @@ static int reverse_nearly(pm_workspace *w, int from, int most)
         if (!reverse_contact(w, i)) continue;
         if (stand_now(w) || reverse_nearly(w, i + 1, most - 1)) return 1;
         w->state.slot[i].mode = PM_STICK;
-        w->instant.slot_reversed[i] = 0;
     }
     return 0;
 }

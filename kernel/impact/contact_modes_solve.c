@@ -34,8 +34,7 @@ static void list(pm_workspace *w, pm_contact_system *x, int32_t *before)
         const double slip =
             pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, x->slot[i]), s->member);
         c->prefers = s->mode;
-        if (pm_contact_modes_slides(s->mode) &&
-            (w->instant.slot_reversed[x->slot[i]] || fabs(slip) > pm_contact_speed(&w->frame)))
+        if (pm_contact_modes_slides(s->mode) && fabs(slip) > pm_contact_speed(&w->frame))
             c->slips = s->mode == PM_SLIDE_FORWARD ? 1 : -1;
         s->mode = PM_OPEN;
     }

@@ -72,7 +72,6 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->impulses.slot, 2 * m->nslot),
         PM_ARRAY(w->impulses.slot_direction, 4 * m->nslot),
         PM_ARRAY(w->instant.slot_before, m->nslot),
-        PM_ARRAY(w->instant.slot_reversed, m->nslot),
         PM_ARRAY(w->instant.place, m->nq),
         PM_ARRAY(w->instant.velocity, m->nq),
         PM_ARRAY(w->instant.friction_before, m->nfriction),

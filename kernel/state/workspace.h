@@ -139,7 +139,6 @@ typedef struct pm_instant {
     pm_slot *slot_before;         /* [nslot] */
     int32_t *friction_before;     /* [nfriction] */
     unsigned char *slot_released; /* [nslot] let go at this instant: not closed again at it */
-    unsigned char *slot_reversed; /* [nslot] slips at this instant, though without speed yet */
     double *place, *velocity;     /* [nq] each: those of the state, while modes are tried */
     double since;       /* s: since then instants have followed each other with no time between them */
     int64_t at_once;    /* so many */

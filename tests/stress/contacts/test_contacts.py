@@ -143,6 +143,7 @@ def test_a_number_is_always_the_same_throw() -> None:
         (2328, ""),  # next to where dominoes lock, what sticks is held by joints alone
         (23801, ""),  # two slips at once
         (2787, ""),  # what parts so slowly that no time shows in which it comes back has not bounced
+        (501206, ""),  # a slip that reverses where two contacts lock, of which one parts then
         (501822, ""),  # a short bounce close to the end of an edge, which is passed before the next look
         (102250, ""),  # what turns at once on a path has no way that energies show
     ],
@@ -166,6 +167,6 @@ def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
 
 def test_what_changes_in_turn_at_one_time_is_told() -> None:
     """No motion that is found goes on."""
-    ran = thrown.Ran(throw(501206).text(), 1)
+    ran = thrown.Ran(throw(505862).text(), 3)
     assert ran.status == "alternates"
     assert "contacts stick, slip or part in turn" in ran.why
