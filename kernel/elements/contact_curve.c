@@ -222,11 +222,11 @@ double pm_contact_curve_room(const pm_frame *frame, int slot, int member)
                : beyond_end(frame, pm_contact_of_slot(frame->model, slot), member);
 }
 
-int pm_contact_curve_is_at_end(const pm_frame *frame, int slot, int member)
+int pm_contact_curve_is_at_knot(const pm_frame *frame, int slot, int member)
 {
     pm_constraint normal;
-    return !pm_contact_curve_on(frame, slot, member, &normal) ||
-           pm_curve_piece_is_last(frame, normal.curve, pm_constraint_curve_foot(frame, &normal));
+    return pm_contact_curve_on(frame, slot, member, &normal) &&
+           !pm_curve_piece_is_last(frame, normal.curve, pm_constraint_curve_foot(frame, &normal));
 }
 
 int pm_contact_curve_next(const pm_frame *frame, int contact, int member)

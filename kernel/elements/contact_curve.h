@@ -32,8 +32,8 @@ int pm_contact_curve_is_same(const pm_model *m, int contact, int a, int b);
 int pm_contact_curve_ends(const pm_model *m, int contact);
 /* It ends, or its pieces do. */
 int pm_contact_curve_parts(const pm_model *m, int contact);
-/* The foot of a closed slot is at an end of the curve, at no knot alone. */
-int pm_contact_curve_is_at_end(const pm_frame *frame, int slot, int member);
+/* A closed slot is on a curve, and the end of its piece that is nearer is a knot, no end of the curve. */
+int pm_contact_curve_is_at_knot(const pm_frame *frame, int slot, int member);
 /* The normal constraint of a closed slot, whose foot is followed; 0: it is on no curve, or at an end of one. */
 int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constraint *normal);
 /* How far a circle that touches `member` in a slot is from leaving it, or its piece, m; the member that follows there, or

@@ -50,9 +50,8 @@ static pm_evidence_decision of_function(const pm_model *m, const pm_event_functi
 static int is_at_knot(const pm_workspace *w, const pm_event_function *f)
 {
     if (f->kind == FUNCTION_TRACK) return !pm_track_is_at_end(&w->frame, f->index);
-    if (f->kind != FUNCTION_END || !pm_contact_curve_is(w->model, pm_contact_of_slot(w->model, f->index)))
-        return 0;
-    return !pm_contact_curve_is_at_end(&w->frame, f->index, w->state.slot[f->index].member);
+    return f->kind == FUNCTION_END &&
+           pm_contact_curve_is_at_knot(&w->frame, f->index, w->state.slot[f->index].member);
 }
 
 /* Where a force switches, or a table or a curve goes on by its next piece, the motion tells all that it decides. */

@@ -114,20 +114,14 @@ static int next_member(const pm_workspace *w, int contact, int member, int *heir
                                                   : pm_edge_next(&w->frame, &w->state, contact, member, heir);
 }
 
-/* Between two pieces of a curve nothing changes but the piece (switches.c). */
-static int is_at_knot(const pm_workspace *w, int slot)
-{
-    return pm_contact_curve_is(w->model, pm_contact_of_slot(w->model, slot)) &&
-           !pm_contact_curve_is_at_end(&w->frame, slot, w->state.slot[slot].member);
-}
-
 /* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the
  * tangents there run against each other -, or on to the next edge. */
 static int pass_end(pm_workspace *w, int slot)
 {
     pm_slot *s = &w->state.slot[slot];
     int heir;
-    if (is_at_knot(w, slot)) return PM_OK;
+    /* Between two pieces of a curve nothing changes but the piece (switches.c). */
+    if (pm_contact_curve_is_at_knot(&w->frame, slot, s->member)) return PM_OK;
     const int next = next_member(w, pm_contact_of_slot(w->model, slot), s->member, &heir);
     if (next == PM_NONE) {
         const int mode = s->mode;
