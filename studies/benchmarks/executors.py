@@ -16,8 +16,8 @@ from .tables import Table
 
 CASES, QUICK_CASES = 1_000_000, 50_000
 KILLS, QUICK_KILLS = 20, 2
-# Seconds between two kills: so long that a new worker has begun to compute.
-PAUSE = 1.3
+# Seconds between two kills: so long that a new worker has begun to compute, so short that all fall into the sweep.
+PAUSE = 1.0
 PROGRAM = """
 import hashlib, json, os, resource, signal, sys, threading, time
 import planemotion
@@ -30,36 +30,45 @@ def main():
     given = json.loads(sys.argv[1])
     scene = planemotion.load(given["study"])
     grid = {"from": "1 in", "to": "6 in", "num": given["cases"]}
-    workers, killed, client = [], 0, None
+    seen, killed, client = [], 0, None
     if given["who"] != "threads":
+        import dask
         from dask.distributed import Client, LocalCluster
+        # Dask gives up a worker that is starting again this long after it died before: here they die that often.
+        dask.config.set({"distributed.deploy.lost-worker-timeout": "10 minutes"})
         cluster = LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None)
         client = Client(cluster)
         client.run(lambda: planemotion.load_text)  # the package is there before the clock runs
     over = threading.Event()
 
+    def look():
+        # The workers that answer: a killed one does not.
+        found = client.run(lambda: (os.getpid(), peak()), on_error="ignore").values()
+        found = [answer for answer in found if isinstance(answer, tuple)]
+        seen.extend(memory for _, memory in found)
+        return [pid for pid, _ in found]
+
     def kill():
         nonlocal killed
         while killed < given["kills"] and not over.wait(given["pause"]):
-            pids = list(client.run(os.getpid, on_error="ignore").values())
-            pids = [pid for pid in pids if isinstance(pid, int)]
+            pids = look()
             if pids:
                 os.kill(pids[killed % len(pids)], signal.SIGKILL)
                 killed += 1
 
     thread = threading.Thread(target=kill, daemon=True)
-    if given["kills"]:
-        thread.start()
+    thread.start()
     begun = time.perf_counter()
     scene.sweep(out=given["out"], executor=client, workers=1 if client else 2, d=grid)
     taken = time.perf_counter() - begun
     over.set()
+    thread.join()
     if client:
-        memory = max(client.run(peak).values())
+        client.wait_for_workers(2)
+        look()
         client.close()
         cluster.close()
-    else:
-        memory = peak()
+    memory = max(seen, default=peak())
     digest = hashlib.sha256(open(os.path.join(given["out"], scene.id + ".csv"), "rb").read()).hexdigest()
     print(json.dumps({"seconds": taken, "memory": memory, "main": peak(), "digest": digest, "kills": killed}))
 

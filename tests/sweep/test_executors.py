@@ -7,6 +7,7 @@ import signal
 import struct
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
@@ -224,6 +225,31 @@ def test_what_is_no_executor_is_refused(tmp_path: Path) -> None:
         scene.sweep(executor=4)
     with pytest.raises(TypeError, match="executor gives int, which has no method submit"):
         scene.sweep(executor=lambda: 4)
+
+
+class Late(Reversed):
+    """A cluster whose only worker comes late: it counts them as a client of Dask does."""
+
+    def __init__(self, after: float) -> None:
+        super().__init__()
+        self._comes = time.monotonic() + after
+
+    def nthreads(self) -> dict[str, int]:
+        return {"tcp://127.0.0.1:1": 1} if time.monotonic() > self._comes else {}
+
+    def _work(self) -> None:
+        time.sleep(max(0.0, self._comes - time.monotonic()))
+        super()._work()
+
+
+def test_a_sweep_says_that_it_waits_for_workers(
+    tmp_path: Path, by_threads: tuple[dict[str, Any], bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(spread, "_COUNT_EVERY", 0.05)
+    monkeypatch.setattr(spread, "_ALONE", 0.2)
+    with pytest.warns(RuntimeWarning, match=r"no worker for 0\.2 s; the sweep waits") as said:
+        assert swept(tmp_path, Late(after=1.0)) == by_threads
+    assert len(said) == 1
 
 
 class Thousand:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import time
+import warnings
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor
@@ -32,6 +33,8 @@ _AHEAD = 2
 _UNKNOWN_WORKERS = 32
 # Between two looks at how many workers there are, in s: clusters grow and shrink.
 _COUNT_EVERY = 5.0
+# An executor without workers is waited for, and said to be so after this time, in s: those of clusters come late.
+_ALONE = 30.0
 # A pool of processes has this time to notice that one of them has died, in s.
 _NOTICED = 3.0
 # A block takes so many times as long as this process needs for one block of each worker: it must never wait.
@@ -103,6 +106,7 @@ class _Crew:
             self._executor = self._made()
         self._counted = -math.inf
         self._workers = 1
+        self._alone = math.inf  # since when no worker is there
         self._died = math.inf  # when a process was first seen dead that the pool had not noticed
         self.number = 0  # of executors that have broken
 
@@ -111,10 +115,22 @@ class _Crew:
 
     @property
     def workers(self) -> int:
-        """How many there are, as of some seconds ago."""
+        """How many there are, as of some seconds ago; 1 where there is none yet."""
         if time.monotonic() - self._counted > _COUNT_EVERY:
             self._workers, self._counted = _workers_of(self._executor), time.monotonic()
-        return self._workers
+            self._miss()
+        return max(1, self._workers)
+
+    def _miss(self) -> None:
+        """Says, once, that an executor has had no worker for long: the sweep would seem to hang."""
+        if self._workers:
+            self._alone = math.inf
+            return
+        self._alone = min(self._alone, self._counted)
+        if self._counted - self._alone >= _ALONE:
+            self._alone = math.nan  # a comparison with it is false: said
+            text = f"the executor has had no worker for {_ALONE:g} s; the sweep waits until one comes"
+            warnings.warn(text, RuntimeWarning, stacklevel=2)
 
     def notice(self) -> None:
         """Breaks a pool of processes that goes on waiting for one that has died."""
@@ -150,7 +166,7 @@ class _Crew:
 def _workers_of(executor: Any) -> int:
     """The workers of an executor, by the words that executors have for it."""
     if callable(getattr(executor, "nthreads", None)):  # of a client of Dask: by worker
-        return max(1, sum(executor.nthreads().values()))
+        return sum(executor.nthreads().values())
     for name in ("num_workers", "max_workers", "_max_workers"):
         found = getattr(executor, name, None)
         if isinstance(found, int) and found > 0:
