@@ -278,8 +278,9 @@ FAULTS = [
     ),
     (
         'bodies.Q = { plate = ["1 m", "1 m"], mass = "1 kg", at = [0, "3 m"] }\n'
-        'contacts.c = { touch = ["Q.corners", "ground.floor"] }',
-        'can be touched once they have names: bodies.Q.corners = ["P", "Q", "R", "S"]',
+        'contacts.c = { touch = ["Q.P", "ground.floor"] }',
+        'body "Q" has no mark "P"; it has bottom, right, top, left, corners, G, center, lower_left, '
+        "lower_right, upper_right, upper_left",
     ),
     (
         'forces.f = { force = "AB.B", value = ["(3 kg)*AB.acceleration.x", 0] }',

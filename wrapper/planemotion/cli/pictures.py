@@ -62,7 +62,9 @@ def plot(result: Path, out: Path | None, theme: str) -> None:
 @click.argument("scene", type=a_path)
 @_out_option("The picture, .png, .svg or .pdf (default: SCENE's name with .png, here).", _picture)
 @click.option(
-    "--at", metavar="INSTANT", help='A time ("0.3 s") or an event ("strike", "strike 2") of the run.'
+    "--at",
+    metavar="INSTANT",
+    help='A time ("0.3 s"), an event ("strike", "strike 2") or the "end" of the run.',
 )
 @click.option(
     "--as",

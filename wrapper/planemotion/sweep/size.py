@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from ..base.errors import SceneError, StudyError
+from ..base.words import counted
 from .layout import Layout
 
 # Bytes of a number in the table, with its comma: with all its digits, and with those that an error has.
@@ -31,7 +32,8 @@ class Size:
     @property
     def text(self) -> str:
         """For people."""
-        return f"{self.cases} cases, about {readable(self.result)} of HDF5 and {readable(self.table)} of CSV"
+        files = f"about {readable(self.result)} of HDF5 and {readable(self.table)} of CSV"
+        return f"{counted(self.cases, 'case')}, {files}"
 
 
 def expected_size(layout: Layout) -> Size:
