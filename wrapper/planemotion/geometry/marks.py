@@ -77,8 +77,8 @@ class Marks:
     rows: dict[str, RowMark] = field(default_factory=dict)
     curves: dict[str, CurveMark] = field(default_factory=dict)
     sets: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    # Points that it has by itself: the file gives them no name.
-    own_points: tuple[str, ...] = _EVERY_BODY
+    # Corners to which the file gives no names: they are no part of a picture or history.
+    unnamed: tuple[str, ...] = ()
 
     @property
     def names(self) -> Iterator[str]:
@@ -95,13 +95,13 @@ class Marks:
     @property
     def named_points(self) -> list[str]:
         """The points that the file names."""
-        return [name for name in self.points if name not in self.own_points]
+        return [name for name in self.points if name not in (*_EVERY_BODY, *self.unnamed)]
 
     def has_no(self, what: str, name: str, known: Mapping[str, object]) -> str:
         """The text that there is no such mark."""
         owner = "the ground" if self.name == words.GROUND else f'body "{self.name}"'
-        named = [mark for mark in known if mark not in self.own_points]
-        all_marks = [*named, *(mark for mark in self.own_points if mark in known)]
+        last = (*_EVERY_BODY, *self.unnamed)
+        all_marks = [mark for mark in known if mark not in last] + [mark for mark in last if mark in known]
         return f'{owner} has no {what} "{name}"; it has {", ".join(all_marks) or "none"}'
 
 
@@ -116,7 +116,7 @@ class Mass:
 
 def ground_marks(reader: Reader, ground: Ground) -> Marks:
     """The marks of the ground, in scene coordinates."""
-    marks = Marks(words.GROUND, words.GROUND, own_points=())
+    marks = Marks(words.GROUND, words.GROUND)
     _add_written(reader, marks, ground)
     for name, row in ground.rows.items():
         marks.rows[name] = _row(reader, row, f"ground.rows.{name}")
@@ -263,7 +263,7 @@ def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> Non
     x, y = size[0] / 2, size[1] / 2
     at = ((-x, -y), (x, -y), (x, y), (-x, y))
     if corners is None:
-        marks.own_points += _CORNERS
+        marks.unnamed = _CORNERS
     else:
         _check_mark_names(marks, corners, "corners")
         if len(set(corners)) < len(corners):
