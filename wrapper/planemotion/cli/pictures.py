@@ -97,7 +97,7 @@ def draw(
     theme: str,
     values: Mapping[str, str],
 ) -> None:
-    """Draw a scene at its start, or at an instant of its run, with names.
+    """Draw a scene with names, at its start or another instant.
 
     It shows most modelling errors.  With --as the figures of the book: without --at at the start, at the
     first blow (impulse-momentum), or over the whole run (energy).
