@@ -125,15 +125,19 @@ class Scene(WrittenScene):
         return near or run(self.with_values(parameters) if parameters else self)
 
     def history(
-        self, *quantities: str, every: Any = None, of_run: str | None = None, **parameters: Any
+        self,
+        *quantities: str | Sequence[str],
+        every: Any = None,
+        of_run: str | None = None,
+        **parameters: Any,
     ) -> xarray.Dataset:
         """The scene over time, with other values for some parameters.
 
-        `quantities`: expressions such as "AB.omega" or "A.force.x", each a variable; without any, positions,
-        velocities and energies, and the reactions that asks read.  `every`: a time such as "10 ms"; without
-        it there are as many instants as straight lines between them need to be true to a thousandth of what
-        is shown.  `of_run`: which of its [runs] (default: the first).  Every event has two rows, before and
-        after its jump.
+        `quantities`: expressions such as "AB.omega" or "A.force.x", or lists of them, each a variable;
+        without any, positions, velocities and energies, and the reactions that asks read.  `every`: a time
+        such as "10 ms"; without it there are as many instants as straight lines between them need to be true
+        to a thousandth of what is shown.  `of_run`: which of its [runs] (default: the first).  Every event
+        has two rows, before and after its jump.
 
         What the dataset holds is said in `planemotion.history`.  Raises SceneError for a fault,
         SimulationError if nothing can be recorded.
@@ -146,7 +150,8 @@ class Scene(WrittenScene):
         """
         from .history import history
 
-        return history(self.with_values(parameters), quantities, every=every, run=of_run)
+        flat = [name for one in quantities for name in ([one] if isinstance(one, str) else one)]
+        return history(self.with_values(parameters), flat, every=every, run=of_run)
 
     def animate(
         self,
