@@ -154,3 +154,12 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
         main(["sweep", str(tmp_path / "swing.toml")])
     assert ended.value.code == 2
     assert "--out" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("num", [2, 2000])
+def test_the_size_told_is_that_of_the_files(tmp_path: Path, num: int) -> None:
+    """Of few cases as of many."""
+    scene = load_text(BALL + f'h = {{ from = "1 m", to = "2 m", num = {num} }}')
+    scene.sweep(out=tmp_path)
+    told = estimate(scene).size
+    assert told.result == pytest.approx((tmp_path / "ball.h5").stat().st_size, rel=0.5)

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from .language.units import declared_unit
 from .model.tables import DEFAULT_G
 from .reading.plain import plain, plain_text
-from .reading.written import WrittenScene
+from .reading.written import SceneTable
 from .sweep.cache import Kept
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from .sweep.run import ShardDone
 
 
-class Scene(WrittenScene):
+class Scene(SceneTable):
     """A scene under construction, or one read from a file.
 
     What is repeated takes `for_`, such as body("link[i]", for_="i in 1..n", ...).

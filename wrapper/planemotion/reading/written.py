@@ -29,7 +29,7 @@ def _spelled(one: Any) -> Any:
     return {_PYTHON.get(key, key): value for key, value in one.items()} if isinstance(one, Mapping) else one
 
 
-class WrittenScene:
+class SceneTable:
     """The table of a scene, which methods write; planemotion.Scene adds what a scene can do."""
 
     def __init__(
@@ -95,9 +95,9 @@ class WrittenScene:
         """A spring, damper, applied force or couple."""
         return self._update("forces", {name: keys})
 
-    def template(self, name: str, scene: WrittenScene | Mapping[str, Any]) -> Self:
+    def template(self, name: str, scene: SceneTable | Mapping[str, Any]) -> Self:
         """What parts may be made of: another scene, or its table."""
-        return self._update("templates", {name: scene.table if isinstance(scene, WrittenScene) else scene})
+        return self._update("templates", {name: scene.table if isinstance(scene, SceneTable) else scene})
 
     def part(self, name: str, use: str, **keys: Any) -> Self:
         """A part: `use` one of the templates, or a file; `with_` a dict of its parameters."""
