@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import math
 import re
+import tomllib
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,52 @@ LAWS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/impact_laws.md").read_text
 HOW_TO = (ROOT / "docs/howto.md").read_text(encoding="utf-8")
 PROGRAMS = re.findall(r"```python\n(.*?)```", HOW_TO, re.DOTALL)
 KANE, CRADLE, SPHERES, BEAM = LAWS
+
+SCENES = (ROOT / "docs/scenes.md").read_text(encoding="utf-8")
+DROPPED = """
+until = "floor strikes"
+parameters = { e = 0.5, h = "1 m", m = "2 kg" }
+ground.lines.floor = { through = [0, 0] }
+bodies.ball = { mass = "m", at = [0, "h"] }
+contacts.floor = { touch = ["ball", "ground.floor"], restitution = "e" }
+"""
+
+
+def test_the_studies_of_how_a_scene_is_written() -> None:
+    tables = tomllib.loads(re.split("## Studies.*?```toml\n", SCENES, flags=re.DOTALL)[1].split("```")[0])
+    assert list(tables) == ["sweep", "find", "runs", "solve"]
+    dropped = tomllib.loads(DROPPED)
+
+    def scene(asks: dict[str, Any], *names: str) -> planemotion.Scene:
+        return planemotion.Scene.from_table(
+            {**dropped, "ask": asks, **{name: tables[name] for name in names}}
+        )
+
+    assert scene({"v": "ball.speed"}, "sweep").sweep()["v"].sizes == {"e": 11, "h": 3}
+    found = scene({"v": "ball.speed/e"}, "find", "solve").run()
+    assert found.found["h"].value == pytest.approx(16 / (2 * 9.81), rel=1e-7)
+    assert found.route == ("rk",)
+    weights = {"of": "ball.weight", "run": "heavy", "unit": "N"}
+    assert scene({"w": weights}, "runs").run()["w"] == pytest.approx(5 * 9.81)
+
+
+def test_the_curves_of_how_a_scene_is_written() -> None:
+    """All three ways, as a wire for a bead that slides from its end to its lowest place."""
+    ways = re.findall(r"`(\{ (?:x|parabola|points) = .*?\})`", SCENES)
+    assert len(ways) == 3
+    depths = []
+    for way in ways:
+        scene = planemotion.load_text(f"""
+            until = "bead.velocity.y > 0"
+            ground.curves.wire = {way}
+            bodies.bead = {{ mass = "1 kg", at = ["-0.9 m", "~0.3 m"] }}
+            joints.wire = {{ slot = ["bead", "ground.wire"] }}
+            ask = {{ speed = {{ max = "bead.speed" }}, fall = "bead.moved.y" }}
+        """)
+        result = scene.run()
+        assert result["speed"] == pytest.approx(math.sqrt(-2 * 9.81 * float(str(result["fall"]))), rel=1e-6)
+        depths.append(result["fall"])
+    assert depths[0] == pytest.approx(depths[1], rel=1e-9)
 
 
 def test_kanes_paradox() -> None:

@@ -253,3 +253,18 @@ def test_check_and_explain_tell_what_the_commands_tell() -> None:
     open_start.ground(lines={"far": {"through": [0, "3 m"]}})
     assert open_start.check().faults
     assert "error: " in repr(open_start.check())
+
+
+def test_grids_may_be_ranges_and_histories_lists() -> None:
+    drop = (
+        Scene("drop", until="ball.y = 0")
+        .parameters(h="1 m")
+        .body("ball", mass="1 kg", at=[0, "h"])
+        .ask("v", of="ball.speed", unit="m/s")
+    )
+    swept = drop.sweep(h=range(1, 4))["v"].values
+    assert swept == pytest.approx(np.sqrt(2 * 9.81 * np.arange(1, 4)))
+    names = ["ball.y", "ball.velocity.y"]
+    assert drop.history(names, every="0.1 s").equals(drop.history(*names, every="0.1 s"))
+    with pytest.raises(SceneError, match="more than 1000000 entries"):
+        drop.sweep(h=range(10**9))

@@ -42,3 +42,10 @@ def message(change: str) -> str:
         flatten(Scene.from_table(merged(change), file="x.toml"))
     assert caught.value.file == "x.toml"
     return str(caught.value)
+
+
+def assert_told(change: str, expected: str) -> None:
+    """The message names the file first, and has what is expected."""
+    text = message(change)
+    assert text.startswith("x.toml: ")
+    assert expected in text

@@ -61,8 +61,8 @@ FAULTS = [
     ("0.5 }", '"0.5 m" }', 12, "contacts.c.restitution", '"0.5 m"', "a plain number is wanted"),
     ("restitution", "e", 12, "contacts.c.e", "", 'did you mean "restitution"?'),
     (
-        '"AB.B", "ground.floor"', '"AB", "ground.stop"', 12, "contacts.c.normal", "",
-        '"AB" alone is one point: did you mean AB.axis or AB.top or AB.bottom?',
+        '"AB.B", "ground.floor"', '"AB", "ground.stop"', 12, "contacts.c.touch[0]", '"AB"',
+        "the body alone touches only an endless line: did you mean AB.top or AB.bottom?",
     ),
     ("{ through = ", "{ trough = ", 8, "ground.lines.floor.trough", "", 'did you mean "through"?'),
     ('{ through = [0, "-2 m"] }', '[0, "-2 m"]', 8, "ground.lines.floor", '[0, "-2 m"]', "a table with"),

@@ -23,6 +23,11 @@ def answers(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]
     return {key: answer.value for key, answer in result.asks.items()}
 
 
+def answers_at_ties(text: str, route: str = "auto", **parameters: Any) -> dict[str, Any]:
+    """The answers; on the route ida, which is not as exact as ties, nothing is said of its errors."""
+    return answers(text, route, **{"solve.estimate": route != "ida", **parameters})
+
+
 def on_route(text: str, route: str = "auto") -> planemotion.RunResult:
     """The result of a scene on a route, whatever its status."""
     return planemotion.load_text(f'solve.route = "{route}"\n{text}').run()

@@ -94,9 +94,7 @@ def test_a_sweep_ends_after_so_many_failures(tmp_path: Path) -> None:
     everything = load_text(BALL + "cases = { h = [" + heights + "] }").sweep()
     assert (everything["status"] < 0).sum() == 50
     for executor in (None, ThreadPoolExecutor(2)):
-        with pytest.raises(
-            StudyError, match=r"cases have failed, the first of them case \d+ \(h = 0.05 m\): "
-        ):
+        with pytest.raises(StudyError, match=r"cases failed, first case \d+ \(h = 0.05 m\): "):
             scene.sweep(out=tmp_path, stop_after=3, resume=True, executor=executor)
     assert scene.sweep(out=tmp_path, resume=True).drop_attrs().equals(everything.drop_attrs())
     with pytest.raises(StudyError, match="stop_after = 0: at least 1"):
@@ -156,3 +154,12 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
         main(["sweep", str(tmp_path / "swing.toml")])
     assert ended.value.code == 2
     assert "--out" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("num", [2, 2000])
+def test_the_size_told_is_that_of_the_files(tmp_path: Path, num: int) -> None:
+    """Of few cases as of many."""
+    scene = load_text(BALL + f'h = {{ from = "1 m", to = "2 m", num = {num} }}')
+    scene.sweep(out=tmp_path)
+    told = estimate(scene).size
+    assert told.result == pytest.approx((tmp_path / "ball.h5").stat().st_size, rel=0.5)

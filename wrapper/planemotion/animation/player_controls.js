@@ -234,10 +234,10 @@ class Player {
       ink.lineTo(x - 4, base - 10);
       ink.lineTo(x + 4, base - 10);
       ink.fill();
-      const half = ink.measureText(event.name).width / 2;
-      if (x - half > written + 8 && x + half < wide && x - half > 0) {
-        ink.fillText(event.name, x, 3);
-        written = x + half;
+      const half = ink.measureText(event.name).width / 2, middle = Math.max(half, Math.min(x, wide - half));
+      if (middle - half > written + 8) {
+        ink.fillText(event.name, middle, 3);
+        written = middle + half;
       }
     }
     ink.fillStyle = colours.accent;

@@ -28,7 +28,7 @@ _DIGITS_OF_A_BIT = 0.30103
 # A pipe that brings nothing for so long, in s, has nobody at its other end.
 _PATIENCE = 10.0
 _PIECE = 1 << 16
-_CONTAINERS = (Mapping, list, tuple)
+_CONTAINERS = (Mapping, list, tuple, range)
 
 
 def read_bytes(path: Path, most: int) -> bytes:

@@ -1,4 +1,4 @@
-"""Words that are given as a list, or as one text with commas."""
+"""Words as people write them: lists with commas, numbers of things."""
 
 from __future__ import annotations
 
@@ -9,3 +9,8 @@ def listed(given: str | Iterable[str]) -> tuple[str, ...]:
     """The words."""
     texts = given.split(",") if isinstance(given, str) else given
     return tuple(text.strip() for text in texts if text.strip())
+
+
+def counted(number: int, thing: str) -> str:
+    """So many of a thing: "1 case", "2 cases"."""
+    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"

@@ -62,7 +62,9 @@ def plot(result: Path, out: Path | None, theme: str) -> None:
 @click.argument("scene", type=a_path)
 @_out_option("The picture, .png, .svg or .pdf (default: SCENE's name with .png, here).", _picture)
 @click.option(
-    "--at", metavar="INSTANT", help='A time ("0.3 s") or an event ("strike", "strike 2") of the run.'
+    "--at",
+    metavar="INSTANT",
+    help='A time ("0.3 s"), an event ("strike", "strike 2") or the "end" of the run.',
 )
 @click.option(
     "--as",
@@ -95,7 +97,7 @@ def draw(
     theme: str,
     values: Mapping[str, str],
 ) -> None:
-    """Draw a scene at its start, or at an instant of its run, with names.
+    """Draw a scene with names, at its start or another instant.
 
     It shows most modelling errors.  With --as the figures of the book: without --at at the start, at the
     first blow (impulse-momentum), or over the whole run (energy).

@@ -38,7 +38,7 @@ def _page(_ctx: click.Context, _option: click.Parameter, out: Path | None) -> Pa
 @set_option
 @click.pass_context
 def report(ctx: click.Context, path: Path, out: Path | None, replays: int, values: Mapping[str, str]) -> None:
-    """Tell all of a scene, a study or the result of a sweep on one page.
+    """Tell all of a scene, a study or a result on one page.
 
     The page needs nothing else: answers and errors, the motion, the picture and the text of the scene, how it
     was computed. Of a study, or the .h5 that `sweep` wrote, also plots, outcomes and cases in motion.

@@ -167,6 +167,8 @@ def _record(scene: Scene, wanted: _Recording, path: Path) -> None:
 
 def _answers(scene: Scene, result: RunResult) -> str:
     """What a terminal shows of a result."""
+    from ..engine.result import shown_answers
+
     colour = "green" if result.ok else "red"
     title = f"  {scene.data.title}" if scene.data.title else ""
     audit = ", ".join(
@@ -174,7 +176,7 @@ def _answers(scene: Scene, result: RunResult) -> str:
     )
     lines = [
         f"{click.style(result.id, bold=True)}{title}: {click.style(result.status, fg=colour)}",
-        *(f"  {line}" for line in _answer_lines(result.asks)),
+        *(f"  {line}" for line in _answer_lines(shown_answers(result))),
         click.style(f"  audit: {audit}; route: {', '.join(result.route) or 'none'}", dim=True),
         *(click.style(f"  {note}", fg="yellow") for note in result.notes),
     ]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..base.words import counted
 from .options import FAILED, a_path, say, set_option, terminal_width
 
 if TYPE_CHECKING:
@@ -93,7 +94,7 @@ def sweep(
                 scene, out, shard, workers=workers, progress=report, stop_after=stop_after, form=form
             )
         left = f"{done.missing} of the sweep are missing" if done.missing else "all shards are there"
-        say(f"shard {shard}: {done.cases} cases, {done.computed} computed; {left}")
+        say(f"shard {shard}: {counted(done.cases, 'case')}, {done.computed} computed; {left}")
         return
     begun = time.perf_counter()
     with _progress() as report:
@@ -143,7 +144,7 @@ def _estimated(scene: Scene, out: Path, workers: int | None) -> None:
     size = found.size
     error = f" ± {_duration(found.error)}" if found.error == found.error else ""
     lines = [
-        f"{size.cases} cases; a sample of {found.sample} was computed: {_counted(found.statuses)}",
+        f"{counted(size.cases, 'case')}; a sample of {found.sample} was computed: {_counted(found.statuses)}",
         f"  time    {_duration(found.seconds)}{error} of computing on {found.workers} threads",
         f"  memory  about {readable(found.memory)}",
         f"  files   {readable(size.result)} of HDF5 and {readable(size.table)} of CSV, and on the way "
@@ -181,7 +182,8 @@ def _told(ctx: click.Context, files: SweepFiles, seconds: float) -> None:
     if summary.drawn:
         click.echo(_statistics(files.result))
     rate = f" in {seconds:.1f} s" + (f", {files.computed / seconds:.0f} cases/s" if files.computed else "")
-    click.echo(f"\n{summary.cases} cases ({_counted(summary.statuses)}); {files.computed} computed{rate}")
+    cases = counted(summary.cases, "case")
+    click.echo(f"\n{cases} ({_counted(summary.statuses)}); {files.computed} computed{rate}")
     for one in summary.costliest:
         click.echo(f"  costly: {one.text}")
     for path in (files.table, files.result, image):

@@ -15,11 +15,11 @@ from .options import FAILED, a_path, advise, say, set_option
 @set_option
 @click.pass_context
 def check(ctx: click.Context, path: Path, values: Mapping[str, str]) -> None:
-    """Read and assemble a scene without running it, or verify a result.
+    """Assemble a scene without running it, or verify a result.
 
-    Of a scene it tells degrees of freedom, redundant rows and how far the assembly moved what is drawn. Of
-    an .h5 file that `sweep` or `run --history` wrote, a .zarr store, or a folder of them, whether it is as
-    written.
+    Of a scene it tells degrees of freedom, redundant constraints and how far the assembly moved what is
+    drawn. Of an .h5 file that `sweep` or `run --history` wrote, a .zarr store, or a folder of them, whether
+    it is as written.
     """
     from ..file import load
     from ..report import explain as explanations

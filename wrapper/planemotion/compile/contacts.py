@@ -17,7 +17,7 @@ from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
 from ..geometry.parameters import Reader, is_zero
-from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
+from ..geometry.partners import Partner, different, kernel_circle, side, touching
 from ..language.dimensions import DIMENSIONLESS, STIFFNESS, VELOCITY
 from ..language.tree import ZERO, Node, Number
 from ..model.readers import Value
@@ -66,13 +66,7 @@ class Contacts:
     def add(self, name: str, contact: Contact) -> ContactInfo:
         """Adds the rows of one contact.  Raises SceneError for marks that cannot touch each other."""
         path = f"contacts.{name}"
-        first, second = pairs(
-            contact.partners,
-            f"{path}.touch",
-            lambda text, where, _index: partner(
-                self.drawing, text, where, "circle", "point", "line", "curve", "row", "set"
-            ),
-        )
+        first, second = touching(self.drawing, contact.partners, f"{path}.touch")
         for one in (first, second):
             self._check(one)
         a, b = first, second

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 
 from .. import _layout as layout
-from ..base.errors import Faults, SceneError
+from ..base.errors import Faults, SceneError, nearest
 from ..geometry.packing import Tables
 from ..language.address import DOTTED
 from ..language.homogeneity import dimension
@@ -133,6 +133,7 @@ class Instants:
         every = _EVERY.fullmatch(text)
         if every is not None:
             return layout.PM_TRIGGER_EVERY, self._every(every[1], every[2], where), (nothing,)
+        self._check_word(text)
         node = self.measures.reader.parameters.parse(text)
         if not isinstance(node, Binary) or node.operator not in _COMPARISON:
             raise SceneError(self._wanted(node))
@@ -141,6 +142,20 @@ class Instants:
         self._moves(difference)
         program = self.tables.program(self.watched(difference, where), where)
         return _COMPARISON[node.operator], program, (nothing,)
+
+    def _check_word(self, text: str) -> None:
+        """Raises SceneError for "BODY rolls" or "CONTACT touches": with the words that there are."""
+        thing, _, word = text.partition(" ")
+        contacts, bodies = self.measures.scope.contacts, self.measures.drawing.bodies
+        if not word.strip().isidentifier() or not (thing in contacts or thing in bodies):
+            return
+        guess = nearest(word.strip(), words.CONTACT_CHANGES)
+        if thing in contacts:
+            reason = f"a contact {', '.join(words.CONTACT_CHANGES)}"
+            raise SceneError(reason + (f': did you mean "{thing} {guess}"?' if guess else ""))
+        reason = f'a body only rests: "{thing} rests"; a contact {", ".join(words.CONTACT_CHANGES)}'
+        near = [name for name, contact in contacts.items() if thing in contact.owners]
+        raise SceneError(reason + (f', such as "{near[0]} {guess or "strikes"}"' if near else ""))
 
     def _wanted(self, node: Node) -> str:
         if isinstance(node, Binary) and node.operator in ("<=", ">="):

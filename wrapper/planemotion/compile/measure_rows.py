@@ -232,6 +232,10 @@ class MeasureRows:
     def word(self, address: Address, known: Sequence[str], owner: str) -> str:
         if not address.path:
             raise SceneError(f'"{address}": a quantity is wanted; {owner} has {", ".join(known)}')
+        if address.path[0] in words.CONTACT_CHANGES and len(address.path) > 1:
+            condition, count = f"{address.thing} {address.path[0]}", ".".join(address.path[1:])
+            reason = f'an event is asked for it: events.NAME = "{condition}", then NAME.{count}'
+            raise SceneError(f'"{address}": {reason}')
         if address.path[0] not in known:
             raise SceneError(f'"{address}": {words.unknown(address.path[0], known, "quantity of " + owner)}')
         return address.path[0]

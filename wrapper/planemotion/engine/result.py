@@ -100,7 +100,8 @@ class RunResult:
     def __getitem__(self, name: str) -> Answer:
         """The answer to an ask, also to one with the name of a field.  Raises KeyError if there is none."""
         if name not in self.asks:
-            raise KeyError(f"no ask {name!r}; there are {', '.join(self.asks) or 'none'}")
+            sought = f"; what was found is in found[{name!r}]" if name in self.found else ""
+            raise KeyError(f"no ask {name!r}; there are {', '.join(self.asks) or 'none'}{sought}")
         return self.asks[name].value
 
     def __contains__(self, name: object) -> bool:
@@ -124,7 +125,7 @@ class RunResult:
 
     def __repr__(self) -> str:
         lines = [f"RunResult {self.id}: {self.status}" + (f" - {self.error}" if self.error else "")]
-        return "\n".join([*lines, *(f"  {key} = {_shown(ask)}" for key, ask in self.asks.items())])
+        return "\n".join([*lines, *(f"  {key} = {_shown(ask)}" for key, ask in shown_answers(self).items())])
 
     def _repr_html_(self) -> str:
         """A table of the answers for a notebook."""
@@ -175,10 +176,17 @@ class RunResult:
         return "\n".join(lines)
 
 
+def shown_answers(result: RunResult) -> dict[str, AskValue]:
+    """What is shown of a result: what was found, where no ask of that name tells it, and the answers."""
+    found = {f"found {name}": value for name, value in result.found.items() if name not in result.asks}
+    return {**found, **result.asks}
+
+
 def answer_rows(result: RunResult) -> list[tuple[str, str, str, str]]:
     """A table of the answers in words, its head first."""
     rows = [("ask", "value", "unit", "estimated error")]
-    rows += [(key, _value_text(ask), _unit_text(ask), _error_text(ask)) for key, ask in result.asks.items()]
+    shown = shown_answers(result)
+    rows += [(key, _value_text(ask), _unit_text(ask), _error_text(ask)) for key, ask in shown.items()]
     return rows
 
 

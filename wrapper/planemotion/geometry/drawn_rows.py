@@ -139,5 +139,7 @@ class DrawnRows:
     def _add_all_points(self) -> None:
         """Every named point, so that pictures and histories know them all."""
         for owner in (*self.drawing.bodies, GROUND):
-            for name in self.drawing.marks(owner).points:
-                self.point(PointRef(owner, name))
+            marks = self.drawing.marks(owner)
+            for name in marks.points:
+                if name not in marks.unnamed:
+                    self.point(PointRef(owner, name))

@@ -32,6 +32,8 @@ _SHAPE_INERTIA = {
 _EDGE_ON_INERTIA = {"disk": 1 / 4, "hoop": 1 / 2}
 # The points that every body has.
 _EVERY_BODY = ("G", "center")
+# The corners of a plate where the file gives them no names, counterclockwise.
+_CORNERS = ("lower_left", "lower_right", "upper_right", "upper_left")
 # Distance of a half ring's mass centre from the centre of its arc, over the radius.
 _HALF_RING_CENTRE = 2 / math.pi
 
@@ -75,8 +77,8 @@ class Marks:
     rows: dict[str, RowMark] = field(default_factory=dict)
     curves: dict[str, CurveMark] = field(default_factory=dict)
     sets: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    # Marks that it does not have, but could: how to get them.
-    possible: dict[str, str] = field(default_factory=dict)
+    # Corners to which the file gives no names: they are no part of a picture or history.
+    unnamed: tuple[str, ...] = ()
 
     @property
     def names(self) -> Iterator[str]:
@@ -90,13 +92,17 @@ class Marks:
             raise SceneError(self.has_no("point", name, self.points))
         return self.points[name]
 
+    @property
+    def named_points(self) -> list[str]:
+        """The points that the file names."""
+        return [name for name in self.points if name not in (*_EVERY_BODY, *self.unnamed)]
+
     def has_no(self, what: str, name: str, known: Mapping[str, object]) -> str:
         """The text that there is no such mark."""
         owner = "the ground" if self.name == words.GROUND else f'body "{self.name}"'
-        own = [mark for mark in known if mark not in _EVERY_BODY]
-        all_marks = [*own, *(mark for mark in _EVERY_BODY if mark in known)]
-        hint = f"; {self.possible[name]}" if name in self.possible else ""
-        return f'{owner} has no {what} "{name}"; it has {", ".join(all_marks) or "none"}{hint}'
+        last = (*_EVERY_BODY, *self.unnamed)
+        all_marks = [mark for mark in known if mark not in last] + [mark for mark in last if mark in known]
+        return f'{owner} has no {what} "{name}"; it has {", ".join(all_marks) or "none"}'
 
 
 @dataclass(frozen=True)
@@ -240,6 +246,7 @@ def _add_rod(marks: Marks, ends: tuple[str, ...], length: Node) -> None:
     _check_mark_names(marks, ends, "rod")
     marks.points[first] = (-half, ZERO)
     marks.points[second] = (half, ZERO)
+    marks.sets["ends"] = (first, second)
     marks.lines["axis"] = LineMark((ZERO, ZERO), ZERO)
     marks.lines["top"] = LineMark((ZERO, ZERO), ZERO, (-half, half))
     marks.lines["bottom"] = LineMark((ZERO, ZERO), Number(math.pi), (-half, half))
@@ -256,14 +263,13 @@ def _add_plate(marks: Marks, corners: tuple[str, ...] | None, size: Pair) -> Non
     x, y = size[0] / 2, size[1] / 2
     at = ((-x, -y), (x, -y), (x, y), (-x, y))
     if corners is None:
-        example = f'{marks.path}.corners = ["P", "Q", "R", "S"]'
-        marks.possible["corners"] = f"the corners of a plate can be touched once they have names: {example}"
+        marks.unnamed = _CORNERS
     else:
         _check_mark_names(marks, corners, "corners")
         if len(set(corners)) < len(corners):
             raise SceneError("the corners need four names", path=f"{marks.path}.corners")
-        marks.points.update(zip(corners, at, strict=True))
-        marks.sets["corners"] = corners
+    marks.sets["corners"] = corners or _CORNERS
+    marks.points.update(zip(marks.sets["corners"], at, strict=True))
     # A line's free side is on its left; edges face outward: each ends at the corner it is given through.
     sides = ("bottom", "right", "top", "left")
     directions = (math.pi, -math.pi / 2, 0.0, math.pi / 2)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..base.errors import SceneError
 from ..language.tree import ZERO, Node, binary, call, select
@@ -24,6 +24,8 @@ _GROUPS = {
     "row": "rows",
     "set": "sets",
 }
+# What may touch, in the order in which a name is searched.
+_TOUCHES = ("circle", "point", "line", "curve", "row", "set")
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,32 @@ def _partner(drawing: Drawing, text: str, where: str, wanted: tuple[str, ...]) -
         if name in getattr(marks, attribute):
             raise SceneError(f"{text} is a {kind}; {_a(wanted)} is wanted")
     known = {mark: None for kind in wanted for mark in getattr(marks, _GROUPS[kind])}
-    raise SceneError(marks.has_no(" or ".join(wanted), name, known))
+    what = "mark" if set(wanted) == set(_TOUCHES) else " or ".join(wanted)
+    raise SceneError(marks.has_no(what, name, known))
+
+
+def touching(drawing: Drawing, texts: tuple[str, ...], path: str) -> tuple[Partner, Partner]:
+    """The two marks of a contact; a body that is named alone touches with its shape."""
+    first, second = pairs(texts, path, lambda text, where, _: partner(drawing, text, where, *_TOUCHES))
+    return _with_shape(drawing, texts[0], first, second), _with_shape(drawing, texts[1], second, first)
+
+
+def _with_shape(drawing: Drawing, text: str, one: Partner, other: Partner) -> Partner:
+    """The rim of a round body that is named alone; before an endless line the corners or ends of another.
+
+    What is beyond an endless line is all of a plate or rod, or nothing: no corner, nothing else either.
+    """
+    if one.is_ground or drawing.names.owner(text)[1] or drawing.bodies[one.owner].shape is None:
+        return one
+    marks = drawing.marks(one.owner)
+    if "rim" in marks.circles and drawing.bodies[one.owner].shape != "half_ring":
+        return replace(one, kind="circle", name="rim", mark=marks.circles["rim"])
+    if marks.sets and isinstance(other.mark, LineMark) and other.mark.extent is None:
+        ((name, points),) = marks.sets.items()
+        return replace(one, kind="set", name=name, mark=points)
+    sides = " or ".join(f"{one.owner}.{side}" for side in (*marks.lines, *marks.circles) if side != "axis")
+    alone = "touches only an endless line" if marks.sets else "does not say what touches"
+    raise SceneError(f"the body alone {alone}: did you mean {sides}?", path=one.where, value=text)
 
 
 def _a(wanted: tuple[str, ...]) -> str:

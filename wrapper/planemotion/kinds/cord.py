@@ -50,6 +50,8 @@ class Cord(Coupling):
 
     def rows(self, to: Writer, path: str) -> CouplingRows:
         stops = [_stop(to, text, f"{path}.cord[{index}]") for index, text in enumerate(self.partners)]
+        for text, (one, _) in list(zip(self.partners, stops, strict=True))[1:-1]:
+            _check_between(to, text.strip(), one)
         spans = list(itertools.pairwise(stops))
         for (a, _), (b, _) in spans:
             different(a, b)
@@ -122,6 +124,13 @@ def _stop(to: Writer, text: str, where: str) -> tuple[Partner, int]:
         reason = f'in which sense is it passed, going down the list? "{text} cw" or "{text} ccw"'
         raise SceneError(reason, path=where, value=text)
     return found, 1
+
+
+def _check_between(to: Writer, text: str, one: Partner) -> None:
+    """A round body that is named alone between the ends was not meant as the point in its middle."""
+    if not one.is_ground and text == one.owner and "rim" in to.drawing.marks(one.owner).circles:
+        reason = f'the cord is tied to its mass centre: did you mean "{text}.rim cw" or "{text}.rim ccw"?'
+        raise SceneError(reason, path=one.where, value=text)
 
 
 def _end(to: Writer, one: Partner) -> int:

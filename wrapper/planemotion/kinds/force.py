@@ -91,14 +91,14 @@ class AppliedForce(Force):
         return given * x / size, given * y / size
 
     def draw(self, sketch: Sketch, where: str) -> Place:
-        """An arrow to the point, along the force at t = 0; from below where that is not told."""
+        """An arrow to the point, along the force at t = 0; dotted, from below, where the motion tells it."""
         if len(self.partners) == 2:
             return sketch.across(self.partners, where, partial(_towards_each_other, sketch))
         (point,) = sketch.read(self.partners, where, "point")
         at = sketch.of_partner(point, point)
-        x, y = self._direction(sketch) or (0.0, 1.0)
-        tail = sketch.pen.tail(at, x, y)
-        sketch.pen.arrow(tail, at)
+        known = self._direction(sketch)
+        tail = sketch.pen.tail(at, *(known or (0.0, 1.0)))
+        sketch.pen.arrow(tail, at, linestyle="-" if known else ":")
         return tail
 
     def _direction(self, sketch: Sketch) -> tuple[float, float] | None:

@@ -104,7 +104,8 @@ class _Parser:
             instant = self.scanner.text[self.scanner.position :] or "EVENT"
             hint = f'; an ask has its instant beside it: {{ of = "{whole}", at = "{instant}" }}'
         elif is_unit(self.scanner.peek(UNIT) or ""):
-            hint = "; a unit stands only behind a number"
+            joined = '; units are joined by * and /, such as "3 N*s/m"'
+            hint = joined if self.bare else "; a unit stands only behind a number"
         return SceneError(error.reason + hint, value=error.value)
 
     def expression(self, weakest: int) -> Node:

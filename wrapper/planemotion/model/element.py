@@ -14,7 +14,7 @@ from .readers import Value, Vector, read_names, read_text, read_value, read_vect
 Number = Annotated[Value, BeforeValidator(read_value)]
 Text = Annotated[str, BeforeValidator(read_text)]
 Pair = Annotated[Vector, BeforeValidator(read_vector)]
-Partners = Annotated[tuple[str, ...], BeforeValidator(read_names(2, "two partners"))]
+Partners = Annotated[tuple[str, ...], BeforeValidator(read_names(2, "two partners", '["rod.A", "ground"]'))]
 
 
 class Table(BaseModel):

@@ -153,6 +153,7 @@ class Sketch:
         for owner in (*self.drawing.bodies, GROUND):
             places += self.outer(owner)
             places += [self.place(owner, row.start) for row in self.drawing.marks(owner).rows.values()]
+        places += [at for line in self.drawing.marks(GROUND).lines.values() for at in self.seen_of(line)]
         xy = np.array(places)
         low, high = xy.min(axis=0), xy.max(axis=0)
         size = max(float((high - low).max()), 0.0)
@@ -160,6 +161,18 @@ class Sketch:
             size = _NO_SIZE / self.factor
             low, high = low - 0.5 * size, high + 0.5 * size
         return low, high
+
+    def seen_of(self, line: LineMark) -> list[Place]:
+        """What must be seen of a line of the ground: its ends, or where the nearest body stands before it."""
+        if line.extent is not None:
+            return list(self.ends(GROUND, line))
+        through, angle = np.array(self.place(GROUND, line.through)), self.number(line.angle)
+        along = np.array([math.cos(angle), math.sin(angle)])
+        centers = [np.array(self.point(name, "center")) for name in self.drawing.bodies] or [through]
+        feet = [through + float((center - through) @ along) * along for center in centers]
+        away = [float(np.hypot(*(center - foot))) for center, foot in zip(centers, feet, strict=True)]
+        x, y = feet[int(np.argmin(away))]
+        return [(float(x), float(y))]
 
     def outer(self, owner: str) -> list[Place]:
         """Places that a body, or the ground, lies between."""

@@ -36,6 +36,7 @@ _HATCH = 0.075  # length of a hatch stroke, in
 _HATCH_STEP = 0.085
 _BLOCK = (0.24, 0.13)  # a sliding block, in
 _SQUARE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # its corners
+_TOUCHES = 0.06  # gap that is drawn as closed, and radius of its ring, in
 _COIL = 0.065  # half the width of a spring, in
 _INK_STEP = 0.04  # between remembered places along a line, in
 _ARROW = 0.55  # an arrow of a force, in
@@ -209,14 +210,21 @@ class Pen:
 
     # ---- contacts and forces ----
 
+    def touches(self, pairs: list[tuple[Place, Place]]) -> None:
+        """The contacts of a set: those that are closed, else the nearest one."""
+        nearest = min(pairs, key=lambda pair: math.dist(*pair))
+        for pair in pairs:
+            if pair is nearest or math.dist(*pair) <= _TOUCHES * self.inch:
+                self.touch(*pair)
+
     def touch(self, a: Place, b: Place) -> None:
         """A contact: the gap as a dotted line, a ring where it is closed."""
-        if math.dist(a, b) > 0.06 * self.inch:
+        if math.dist(a, b) > _TOUCHES * self.inch:
             self.line([a, b], TOUCH, 1.1, linestyle=(0, (1.2, 1.6)), zorder=4)
             for end in (a, b):
                 self.dot(end, TOUCH)
         else:
-            self.circle(a, 0.06 * self.inch, edge=TOUCH, linewidth=1.5, zorder=5)
+            self.circle(a, _TOUCHES * self.inch, edge=TOUCH, linewidth=1.5, zorder=5)
 
     def spring(self, a: Place, b: Place) -> None:
         length = math.dist(a, b)

@@ -143,7 +143,7 @@ def _of(one: Balance, wrench: Wrench, vector: str, couple: str) -> list[Acting]:
 
 def _figure(here: Instant, rows: Sequence[Sequence[_Panel]], units: _Units, note: str) -> Figure:
     columns = max(map(len, rows))
-    drawn = columns * (_PANEL[0] + _BETWEEN)
+    drawn = columns * (_PANEL[0] + _BETWEEN) + 0.5 * _BETWEEN
     width = max(drawn, _LETTER * max(len(title_of(here.start.data)), len(note)))
     height = len(rows) * _PANEL[1] + page.HEAD_HEIGHT
     made = Figure(figsize=(width, height), dpi=page.RESOLUTION)

@@ -17,9 +17,12 @@ from ..language.units import parse_quantity
 from ..reading.scene import HasData
 from .scene import Pose, Start, drawing_of, start_of
 
+# The rows at the ends of a run.
+_ENDS = {"start": 0, "end": -1}
+
 
 def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
-    """What is drawn of a run (default: the first) at an instant: "0.3 s", or "strike", or "strike 2".
+    """What is drawn of a run (default: the first) at an instant: "0.3 s", "strike", "strike 2", "end".
 
     Names are those of events, and of contacts that are struck.  Raises SceneError for a fault in the scene,
     and for an instant that the run does not come to, SimulationError if nothing can be recorded.
@@ -84,14 +87,18 @@ def _at_time(flat: FlatScene, at: str, seconds: float) -> tuple[History, int]:
 
 
 def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
-    """The run and its row right after something has happened for the nth time."""
+    """The run and its row at its start or end, or right after something has happened for the nth time."""
     name, _, number = at.strip().partition(" ")
     recorded = recording.record(flat, bends={})
+    if at.strip() in _ENDS:
+        return recorded, _ENDS[at.strip()]
     rows = [row for row in np.flatnonzero(recorded.mark == AFTER) if name in recorded.events[row].split(", ")]
     nth = int(number) if number.strip().isdigit() else 1
     if not 1 <= nth <= len(rows):
         happened = sorted({one for event in recorded.events for one in event.split(", ") if one})
-        known = f"it has {', '.join(happened)}" if happened else "it has no events"
-        often = f"the run has {len(rows)} of these" if rows else f"nothing of that name happens; {known}"
+        known = ", ".join([*happened, *_ENDS])
+        often = (
+            f"the run has {len(rows)} of these" if rows else f"nothing of that name happens; it has {known}"
+        )
         raise SceneError(often, path="at", value=at)
     return recorded, int(rows[nth - 1])

@@ -72,10 +72,10 @@ def _on_line(sketch: Sketch, name: str, a: Place, b: Place) -> list[Place]:
     """The named points of a body between two places, in their order; its mass centre is none."""
     along, length = _along(a, b)
     found = []
-    for key in sketch.drawing.marks(name).points:
+    for key in sketch.drawing.marks(name).named_points:
         away = np.subtract(sketch.point(name, key), a)
         far, aside = float(away @ along), float(abs(away @ (-along[1], along[0])))
-        if key not in ("G", "center") and aside < 0.01 * length and 0.01 < far / length < 0.99:
+        if aside < 0.01 * length and 0.01 < far / length < 0.99:
             found.append((far, sketch.point(name, key)))
     return [place for _, place in sorted(found)]
 

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from ..base.arrays import Floats
 from ..base.errors import StudyError
+from ..base.words import counted
 from ..language.cf import unit_of
 from ..pen.page import FAMILY
 from .condensed import condensed, middles
@@ -263,7 +264,7 @@ def _curve_names(variable: xr.DataArray, family: SweptAxis | None, lists: Sequen
 def _counts(dataset: xr.Dataset, held: Sequence[str]) -> str:
     """How many cases there are, how many did not end well and how, and which parameters are held."""
     status = dataset["status"]
-    texts = [f"{status.size} case{'s' if status.size != 1 else ''}"]
+    texts = [counted(status.size, "case")]
     values, counts = np.unique(status.values, return_counts=True)
     word_of = status_words(dataset)
     bad = [

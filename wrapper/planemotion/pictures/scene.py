@@ -23,7 +23,7 @@ from ..geometry.drawing import Drawing
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables
 from ..geometry.parameters import Parameters, Reader
-from ..geometry.partners import Partner
+from ..geometry.partners import Partner, touching
 from ..geometry.push import Push
 from ..kinds.base import Coupling, Force, Joint
 from ..language.dimensions import DIMENSIONLESS, LENGTH
@@ -287,11 +287,10 @@ class SceneDrawing:
     def _points(self) -> None:
         """Dots and names of the points that the file names."""
         for owner in (*self.sketch.drawing.bodies, GROUND):
-            for key in self.sketch.drawing.marks(owner).points:
-                if key not in ("center", "G"):
-                    at = self.sketch.point(owner, key)
-                    self.sketch.pen.dot(at)
-                    self.sketch.pen.name(at, key)
+            for key in self.sketch.drawing.marks(owner).named_points:
+                at = self.sketch.point(owner, key)
+                self.sketch.pen.dot(at)
+                self.sketch.pen.name(at, key)
 
     def _joint(self, name: str, joint: Joint) -> None:
         where = f"joints.{name}"
@@ -311,8 +310,7 @@ class SceneDrawing:
 
     def _contact(self, name: str, contact: Contact) -> None:
         pairs = [push.places for push in contact_pushes(self.sketch, name, contact)]
-        for places in pairs:
-            self.sketch.pen.touch(*places)
+        self.sketch.pen.touches(pairs)
         self.sketch.pen.name(
             self.sketch.middle(*min(pairs, key=lambda places: math.dist(*places))), name, TOUCH
         )
@@ -327,8 +325,7 @@ class SceneDrawing:
 
 def contact_pushes(sketch: Sketch, name: str, contact: Contact) -> list[Push]:
     """Where a contact acts on its partners as written: once, or for each member of a set."""
-    any_mark = ("circle", "point", "line", "curve", "row", "set")
-    a, b = sketch.read(contact.partners, f"contacts.{name}", *any_mark)
+    a, b = touching(sketch.drawing, contact.partners, f"contacts.{name}.touch")
     swapped = a.kind in ("line", "curve", "row") or b.kind == "set"
     if swapped:
         a, b = b, a

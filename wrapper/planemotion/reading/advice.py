@@ -10,6 +10,8 @@ from typing import Any
 from ..model import words
 
 _NAME = re.compile(r"[^\W\d]\w*")
+# A size that is compared with zero: "ball.speed = 0".
+_SIZE_IS_ZERO = re.compile(r"([\w.\[\]]+)\.(speed|norm) *={1,2} *\(?0(\.0*)?( *[a-z][\w/*^]*)?\)?")
 
 
 def advice(raw: Mapping[str, Any], elsewhere: Collection[str] = ()) -> tuple[str, ...]:
@@ -18,6 +20,7 @@ def advice(raw: Mapping[str, Any], elsewhere: Collection[str] = ()) -> tuple[str
         *(one for one in _unused(raw) if one.partition(":")[0].removeprefix("parameters.") not in elsewhere),
         *_bare_angles(raw, ""),
         *_nothing_asked(raw),
+        *_touching_zero(raw),
     )
 
 
@@ -62,3 +65,21 @@ def _bare_angles(value: Any, path: str) -> Iterator[str]:
 def _nothing_asked(raw: Mapping[str, Any]) -> Iterator[str]:
     if not words.table(raw, "ask"):
         yield 'ask: nothing is asked; a line such as omega = "BODY.omega" in [ask] is answered'
+
+
+def _touching_zero(raw: Mapping[str, Any]) -> Iterator[str]:
+    """Conditions that wait for the zero of a size, which may be touched between two looks."""
+    for path, condition in (("until", raw.get("until")), *_conditions(raw)):
+        found = _SIZE_IS_ZERO.fullmatch(condition.strip()) if isinstance(condition, str) else None
+        if found:
+            of = f"{found[1]}.velocity.x" if found[2] == "speed" else f"{found[1]}.x"
+            yield (
+                f'{path} = "{condition}": a size never passes through 0, so that this may not be met; '
+                f'name what changes its sign, such as "{of} = 0", or "rest"'
+            )
+
+
+def _conditions(raw: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """The conditions of events by their paths."""
+    for name, event in words.table(raw, "events").items():
+        yield f"events.{name}", event.get("when") if isinstance(event, Mapping) else event

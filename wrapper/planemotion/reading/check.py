@@ -46,9 +46,19 @@ _OF_SWEEP: Mapping[str, tuple[type[Table], str]] = {
     "retry": (Retry, "a retry"),
 }
 
-# Unknown keys whose hint is more than another word.
-_HINTS: Mapping[str, str] = {
-    "gravity": '; where no weight acts in the plane write plane = "horizontal"',
+# Unknown keys whose hint is more than another word: by their owner, which `NAME` stands for.
+_HINTS: Mapping[str, Mapping[str, str]] = {
+    "a scene": {"gravity": '; where no weight acts in the plane write plane = "horizontal"'},
+    "a pin": dict.fromkeys(
+        ("omega", "speed", "rate", "velocity", "value", "rpm"),
+        '; a motor drives it: couplings.motor = { motor = ["crank", "ground"], value = "10 rad/s" }',
+    ),
+    "a body": {
+        "velocity": '; at the start it is given by start.NAME.velocity = ["1 m/s", 0]',
+        "omega": '; at the start it is given by start.NAME.omega = "1 rad/s"',
+        "restitution": "; contacts have it",
+        "friction": "; contacts have it",
+    },
 }
 
 
@@ -159,7 +169,8 @@ def _unknown_key(
     guess = nearest(key, [*known, *elsewhere])
     has = f"{owner} has {', '.join(known)}" if known else f"{owner} has no options"
     hint = f' (did you mean "{guess}"?)' if guess else ""
-    raise SceneError(f"unknown key{hint}{_HINTS.get(full, '')}; {has}", path=full)
+    more = _HINTS.get(owner, {}).get(key, "").replace("NAME", path.rpartition(".")[2])
+    raise SceneError(f"unknown key{hint}{more}; {has}", path=full)
 
 
 def _marks(owner: Mapping[str, Any], path: str) -> None:

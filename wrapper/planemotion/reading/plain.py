@@ -44,7 +44,7 @@ def _plain_value(value: Any) -> Any:
         return value if type(value) in (str, bool, int, float) else _builtin(value)
     if isinstance(value, Mapping):
         return {str(key): _plain_value(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
+    if isinstance(value, list | tuple | range):
         return [_plain_value(one) for one in value]
     if hasattr(value, "columns") and hasattr(value, "to_dict"):  # a table of pandas
         return _plain_value(value.to_dict("list"))

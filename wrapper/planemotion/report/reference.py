@@ -121,7 +121,7 @@ def _of_kind(kind: type[Kind], scene: str) -> Iterator[str]:
 
 
 def _rows(rows: Iterator[tuple[str, Meaning, FieldInfo | None]] | list[Any]) -> Iterator[str]:
-    yield "| word | meaning | unit | taken without it |\n|---|---|---|---|"
+    yield "| word | meaning | unit | if left out |\n|---|---|---|---|"
     for key, meaning, field in rows:
         says = f"{meaning.says}{_choices(field)}"
         yield f"| `{key}` | {says} | {meaning.unit} | {_without(meaning, field)} |".replace("  ", " ")

@@ -8,6 +8,7 @@ import numpy as np
 
 from .._layout import PM_OK
 from ..base.errors import StudyError
+from ..base.words import counted
 from .block import Block
 from .plan import SweepPlan
 
@@ -36,5 +37,5 @@ class Failures:
             self.first = f"case {first + row} ({values}): {block.message.get(row, '')}"
         self.count += len(rows)
         if self.count >= self.most:
-            told = f"stopped: {self.count} cases have failed, the first of them {self.first}"
+            told = f"stopped: {counted(self.count, 'case')} failed, first {self.first}"
             raise StudyError(f"{told}. {self.hint}".removesuffix(". "))

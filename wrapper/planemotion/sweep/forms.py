@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from ..base.errors import StudyError
+from ..base.words import counted
 from .cases import Study
 from .netcdf import write_result
 from .parquet import is_parquet_of, write_parquet
@@ -49,7 +50,7 @@ class Form:
             return size.text
         result = "HDF5" if self.result == "hdf5" else "Zarr"
         table = "" if self.table == "none" else f", and its table as {self.table}"
-        return f"{size.cases} cases, at most about {readable(size.result)} of {result}{table}"
+        return f"{counted(size.cases, 'case')}, at most about {readable(size.result)} of {result}{table}"
 
     @classmethod
     def in_folder(cls, folder: Path, name: str, table: str) -> Form:

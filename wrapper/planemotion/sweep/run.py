@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..base.errors import SceneError, StudyError
+from ..base.words import counted
 from .cache import Kept
 from .cases import Study
 from .chunks import Progress, fill
@@ -181,7 +182,8 @@ def sweep_shard(
             _fill(store, study, executor, progress or _nobody)
         except KeyboardInterrupt:
             raise SweepInterrupted(
-                f"stopped: shard {shard} has {store.missing} cases to go; the same command goes on there",
+                f"stopped: shard {shard} has {counted(store.missing, 'case')} to go; "
+                "the same command goes on there",
                 store.done,
                 plan.cases,
             ) from None

@@ -11,10 +11,13 @@ from pathlib import Path
 import numpy as np
 
 from ..base.errors import SceneError, StudyError
+from ..base.words import counted
 from .layout import Layout
 
 # Bytes of a number in the table, with its comma: with all its digits, and with those that an error has.
 _EXACT, _SHORT = 19, 9
+# Bytes of what HDF5 has beside the numbers, roughly: names, attributes, the text of the scene.
+_FRAME = 25_000
 # The parts are there until the whole result is; in memory the blocks are there until they are joined.
 EXTRA = 2
 _UNITS = ("bytes", "kB", "MB", "GB", "TB", "PB", "EB")
@@ -31,7 +34,8 @@ class Size:
     @property
     def text(self) -> str:
         """For people."""
-        return f"{self.cases} cases, about {readable(self.result)} of HDF5 and {readable(self.table)} of CSV"
+        files = f"about {readable(self.result)} of HDF5 and {readable(self.table)} of CSV"
+        return f"{counted(self.cases, 'case')}, {files}"
 
 
 def expected_size(layout: Layout) -> Size:
@@ -45,7 +49,7 @@ def expected_size(layout: Layout) -> Size:
             of_case += count * np.dtype(one.dtype).itemsize
     answers = sum(ask.count for ask in layout.asks)
     row = _EXACT * (len(layout.coordinates) + answers) + _SHORT * layout.estimate * (len(layout.asks) + 1)
-    return Size(layout.cases, layout.cases * of_case, layout.cases * row)
+    return Size(layout.cases, _FRAME + layout.cases * of_case, layout.cases * row)
 
 
 def readable(size: float) -> str:

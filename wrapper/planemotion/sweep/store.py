@@ -28,6 +28,7 @@ from ..base.bounded import read_bytes
 from ..base.checksums import require_sound
 from ..base.errors import StudyError
 from ..base.files import appearing, disk_errors, sync_folder
+from ..base.words import counted
 from .block import Block
 from .locks import LOOK_EVERY, OutputFolder, wait_until_free
 from .manifest import check_same, manifest_of_result
@@ -116,9 +117,9 @@ class SweepStore:
             )
         found = list(parts_in(self.parts_folder))
         if found:
-            stored = sum(part.count for part in found)
+            stored = counted(sum(part.count for part in found), "case")
             raise StudyError(
-                f"{self.parts_folder}: an unfinished sweep is there ({stored} cases stored); go on with "
+                f"{self.parts_folder}: an unfinished sweep is there ({stored} stored); go on with "
                 "--resume, give another --out, or remove that folder"
             )
         if self.table.exists():
