@@ -101,7 +101,10 @@ enum pm_contact_kind {
     PM_CONTACT_TEETH = 6, /* one flank of toothed wheels a, b with backlash; see the columns */
     PM_CONTACT_RACK = 7,  /* one flank of wheel a and the rack on line b, likewise */
     PM_CONTACT_CURVE = 8, /* circle a (radius 0: a point) against curve b, and its ends where it is open */
-    PM_CONTACT_KINDS = 9
+    /* curve a against curve b, and the ends of a where it is open (an edge: a straight curve) against b; what leaves
+     * b by an end of that touches no more */
+    PM_CONTACT_CURVES = 9,
+    PM_CONTACT_KINDS = 10
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
 /* What becomes of a pair that touches and does not part (two points: that meet). */

@@ -1,4 +1,5 @@
-/* contact_curve.h - contacts of circles with curves: their gaps, and what happens at the ends of open curves. */
+/* contact_curve.h - contacts with curves, of circles and of other curves (contact_pair.h): their gaps, and what happens at the
+ * ends of open curves. */
 #ifndef PM_CONTACT_CURVE_H
 #define PM_CONTACT_CURVE_H
 
@@ -39,10 +40,12 @@ int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constrai
 /* How far a circle that touches `member` in a slot is from leaving it, or its piece, m; the member that follows there, or
  * PM_NONE. */
 double pm_contact_curve_room(const pm_frame *frame, int slot, int member);
-int pm_contact_curve_next(const pm_frame *frame, int contact, int member);
+int pm_contact_curve_next(const pm_frame *frame, int slot, int member);
 /* Which way the tangent of a member's constraints goes: 1 along the curve, -1 against it. */
 int pm_contact_curve_way(const pm_model *m, int contact, int member);
-/* The member as the foot s of a closed contact goes on. */
-int pm_contact_curve_follow(const pm_frame *frame, int contact, double s);
+/* The member as the foot of a closed contact goes on. */
+int pm_contact_curve_follow(const pm_frame *frame, int contact, int member, const pm_memory *memory);
+/* What of a member is an outcome of a run: not next to which node a foot is, but at which end. */
+int pm_contact_curve_outcome(const pm_model *m, int contact, int member);
 
 #endif
