@@ -72,7 +72,8 @@ enum pm_joint_kind {
     PM_JOINT_TEETH = 19, /* GEARS by teeth: their flanks meet at the pressure angle value_2.          1 */
     PM_JOINT_RACK = 20,  /* a circle meshes with the teeth of line b, at the pressure angle value_2.      1 */
     PM_JOINT_ROLLING_CURVE = 21, /* a circle rolls on curve b, on its free side.                          2 */
-    PM_JOINT_KINDS = 22
+    PM_JOINT_ROLLING_CURVES = 22, /* closed curve a rolls on curve b, each on the other's free side.      2 */
+    PM_JOINT_KINDS = 23
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {

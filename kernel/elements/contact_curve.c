@@ -52,15 +52,38 @@ int pm_contact_curve_parts(const pm_model *m, int contact)
            (pm_contact_curve_is(m, contact) && pm_curve_has_pieces(m, curve_of(m, contact)));
 }
 
+static int rolls_on_another(const pm_model *m, int joint)
+{
+    return PM_JOINT_ROW(m, joint)[PM_JOINT_KIND] == PM_JOINT_ROLLING_CURVES;
+}
+
+int pm_contact_curve_looked_at(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
+        if (rolls_on_another(m, i)) return 1;
+    return pm_contact_curve_any(m);
+}
+
+static int begin_both(pm_workspace *w, int a, int b)
+{
+    const int status = pm_curve_feet_begin(w, a);
+    return status ? status : pm_curve_feet_begin(w, b);
+}
+
 int pm_contact_curve_begin(pm_workspace *w)
 {
+    const pm_model *m = w->model;
     int status = PM_OK;
-    for (int i = 0; !status && i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        if (pm_contact_pair_is(w->model, i))
-            status = pm_curve_feet_begin(w, pm_contact_pair_first(w->model, i));
-        if (!status && pm_contact_curve_is(w->model, i))
-            status = pm_curve_feet_begin(w, curve_of(w->model, i));
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int32_t *e = PM_CONTACT_ROW(m, i);
+        if (pm_contact_pair_is(m, i))
+            status = begin_both(w, e[PM_CONTACT_A], e[PM_CONTACT_B]);
+        else if (pm_contact_curve_is(m, i))
+            status = pm_curve_feet_begin(w, curve_of(m, i));
     }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++)
+        if (rolls_on_another(m, i))
+            status = begin_both(w, PM_JOINT_ROW(m, i)[PM_JOINT_A], PM_JOINT_ROW(m, i)[PM_JOINT_B]);
     return status;
 }
 

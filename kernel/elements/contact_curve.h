@@ -13,9 +13,11 @@ enum pm_contact_curve_member { PM_CURVE_FROM_END = PM_CURVE_NODES + 1, PM_CURVE_
 
 int pm_contact_curve_is(const pm_model *m, int contact);
 int pm_contact_curve_any(const pm_model *m);
+/* Contacts touch some curve, or one rolls on another: their places are looked for. */
+int pm_contact_curve_looked_at(const pm_model *m);
 /* Some foot is closed. */
 int pm_contact_curve_is_closed(const pm_model *m, const pm_state *s, int contact);
-/* case.c: looks at the curves that contacts touch: PM_OK, or PM_BAD_VALUE. */
+/* case.c: looks at those curves: PM_OK, or PM_BAD_VALUE. */
 int pm_contact_curve_begin(pm_workspace *w);
 /* Gap to the nearest foot, or end, that no slot has closed, and the member; INFINITY: there is none.  Behind an open curve it is
  * as behind an edge (edge.h). */

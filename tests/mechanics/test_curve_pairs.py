@@ -11,9 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
+from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
+import planemotion
+from planemotion import SceneError, SimulationError
 from tests.scenes import ROUTES, G, answers, close
 
 DOME = '{ x = "(1 m)*s", y = "(-0.25 m)*s^2", from = -4, to = 4 }'
@@ -401,3 +403,60 @@ def test_a_plate_rocks_on_a_hill_and_over_its_corner(
     )
     assert [got["x"], got["y"], got["angle"]] == pytest.approx(where.tolist(), abs=3 * close(route))
     assert got["n"] == 0
+
+
+# ---- elliptic gears ----
+
+GEARS = """
+plane = "horizontal"
+until = "t = 2 s"
+bodies.a = { inertia = "0.01 kg*m^2", mass = "1 kg", at = [0, 0], driven.angle = "(4 rad/s)*t", curves.pitch = { ellipse = ["0.1 m", "0.08 m"], at = ["0.06 m", 0], side = "right" } }
+bodies.b = { inertia = "0.01 kg*m^2", mass = "1 kg", at = ["0.2 m", 0], curves.pitch = { ellipse = ["0.1 m", "0.08 m"], at = ["0.06 m", 0], side = "right" } }
+joints.shaft_a = { pin = ["a.center", "ground"] }
+joints.shaft_b = { pin = ["b.center", "ground"] }
+joints.mesh = { rolling = ["a.pitch", "b.pitch"] }
+ask.angle = { of = "b.angle", unit = "rad" }
+ask.omega = { of = "b.omega", unit = "rad/s" }
+ask.slowest = { max = "b.omega", unit = "rad/s" }
+ask.fastest = { min = "b.omega", unit = "rad/s" }
+"""
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_equal_ellipses_about_their_foci_gear_by_the_ratio_of_their_radii(route: str) -> None:
+    """r = p / (1 - e cos a) from the focus, and 2 a - r of the other: the ratio goes from (1 - e)/(1 + e) to its inverse."""
+    got = answers(GEARS, route)
+    e, half, turned = 0.6, 0.1, 8.0
+
+    def ratio(angle: float) -> float:
+        r = half * (1 - e * e) / (1 - e * math.cos(angle))
+        return -r / (2 * half - r)
+
+    whole = quad(ratio, 0, turned, epsabs=1e-13, epsrel=1e-13, limit=200)[0]
+    assert got["omega"] == pytest.approx(4 * ratio(turned), rel=close(route))
+    assert got["angle"] == pytest.approx(whole, rel=close(route))
+    assert got["slowest"] == pytest.approx(-4 * (1 - e) / (1 + e), rel=close(route))
+    assert got["fastest"] == pytest.approx(-4 * (1 + e) / (1 - e), rel=close(route))
+
+
+# ---- what is told, and drawn ----
+
+
+def test_curves_that_roll_on_each_other_are_closed() -> None:
+    text = GEARS.replace(
+        'pitch = { ellipse = ["0.1 m", "0.08 m"],',
+        'pitch = { ellipse = ["0.1 m", "0.08 m"], from = 0, to = 3,',
+        1,
+    )
+    with pytest.raises(SceneError, match="curves that roll on each other are closed"):
+        planemotion.load_text(text).run()
+
+
+def test_what_overlaps_at_the_start_is_told() -> None:
+    with pytest.raises(SimulationError, match="overlap"):
+        planemotion.load_text(cam("t = 1 s", 3, "friction = 0", high=0.24)).run()
+
+
+@pytest.mark.parametrize("scene", [GEARS, cam("t = 1 s", 3, "friction = 0", high=0.3)])
+def test_pairs_of_curves_are_drawn(scene: str) -> None:
+    assert planemotion.load_text(scene).draw() is not None

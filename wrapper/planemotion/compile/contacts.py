@@ -16,7 +16,7 @@ from ..geometry.curves import CurveMark
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
-from ..geometry.pairs import first_of_curves, is_pair, kernel_curve
+from ..geometry.pairs import is_pair, is_swapped, kernel_curve
 from ..geometry.parameters import Reader, is_zero
 from ..geometry.partners import Partner, different, kernel_circle, pairs, partner, side
 from ..language.dimensions import DIMENSIONLESS, STIFFNESS, VELOCITY
@@ -26,8 +26,6 @@ from ..model.tables import Contact, Friction
 from ..model.words import GROUND
 
 _ROUND = ("circle", "point")
-# What stands second in the kernel, beside what is round.
-_SECOND = ("line", "curve", "row")
 _CAPTURES = {
     "none": layout.PM_CAPTURE_NONE,
     "pin": layout.PM_CAPTURE_POINT,
@@ -79,7 +77,7 @@ class Contacts:
         for one in (first, second):
             self._check(one)
         a, b = first, second
-        swapped = first_of_curves(b, a) if is_pair(a, b) else a.kind in _SECOND or b.kind == "set"
+        swapped = is_swapped(a, b)
         if swapped:
             a, b = b, a
         is_set = a.kind == "set"

@@ -1,4 +1,7 @@
-"""Pairs of curves that touch or roll on each other; an edge is a straight curve that ends."""
+"""Pairs of marks that touch: which the kernel has first; curves that touch or roll on each other.
+
+An edge is a straight curve that ends.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,14 @@ def is_pair(a: Partner, b: Partner) -> bool:
     return sorted((a.kind, b.kind)) in (["curve", "curve"], ["curve", "line"])
 
 
-def first_of_curves(a: Partner, b: Partner) -> bool:
+def is_swapped(a: Partner, b: Partner) -> bool:
+    """Whether the kernel has two marks that touch the other way round."""
+    if is_pair(a, b):
+        return _first_of_curves(b, a)
+    return a.kind in ("line", "curve", "row") or b.kind == "set"
+
+
+def _first_of_curves(a: Partner, b: Partner) -> bool:
     """Whether the kernel must have `a` first: of its ends it knows, and of its knots it does not."""
     return _rank(a) > _rank(b)
 
@@ -32,16 +42,19 @@ def kernel_curve(drawn: DrawnRows, one: Partner, whole: bool = False) -> int:
 
     Raises SceneError for a line without ends, and for knots.
     """
-    if isinstance(one.mark, LineMark):
-        return drawn.curve(one.owner, _straight(one, one.mark), one.mark_path)
-    assert isinstance(one.mark, CurveMark)
-    if whole and one.mark.knots is not None:
+    mark = as_curve(one)
+    if whole and mark.knots is not None:
         reason = "of two curves that touch one goes through points at most; write this one by expressions"
         raise SceneError(reason, path=one.where, value=f"{one.owner}.{one.name}")
-    return drawn.curve(one.owner, one.mark, one.mark_path)
+    return drawn.curve(one.owner, mark, one.mark_path)
 
 
-def _straight(one: Partner, line: LineMark) -> CurveMark:
+def as_curve(one: Partner) -> CurveMark:
+    """The mark of a curve, or of an edge as a straight curve.  Raises SceneError for a line without ends."""
+    if isinstance(one.mark, CurveMark):
+        return one.mark
+    assert isinstance(one.mark, LineMark)
+    line = one.mark
     if line.extent is None:
         reason = "a line that touches a curve ends: an edge of a body, or { from = [...], to = [...] }"
         raise SceneError(reason, path=one.where, value=f"{one.owner}.{one.name}")
