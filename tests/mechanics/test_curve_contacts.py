@@ -13,6 +13,7 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
 from planemotion import SceneError, SimulationError
+from tests.mechanics.curve_scenes import ROLLS
 from tests.scenes import ROUTES, G, asked, close, on_route
 
 PARABOLA = '{ x = "(1 m)*s", y = "(0.25 m)*s^2", from = -3, to = 3 }'
@@ -61,12 +62,6 @@ def test_a_point_slides_in_a_bowl_as_integrated(route: str, mu: float) -> None:
         whole = solve_ivp(motion, (0, 1.2), [1, 0], method="DOP853", rtol=1e-13, atol=1e-14)
         assert whole.y[1, -1] < 0
         assert asked(result, "x") == pytest.approx(whole.y[0, -1], abs=close(route))
-
-
-ROLLS = {
-    "contact": 'contacts.c = { touch = ["p.rim", "ground.bowl"], friction = "rough" }',
-    "joint": 'joints.c = { rolling = ["p.rim", "ground.bowl"] }',
-}
 
 
 @pytest.mark.parametrize("how", sorted(ROLLS))
