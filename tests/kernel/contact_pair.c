@@ -12,7 +12,7 @@
 #define CLOSE 1e-8
 #define G 9.81
 #define TWO_PI 6.283185307179586
-#define LOOKS 1500
+#define LOOKS 160
 
 static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
 
@@ -118,7 +118,7 @@ static void gaps(int edge)
     scene_until_time(s, 1);
     CHECK(scene_begin(s) == PM_OK);
     pm_workspace *w = s->w;
-    for (int n = 0, apart = 0, within = 0; n < 400 && (apart < 25 || within < 4); n++) {
+    for (int n = 0, apart = 0, within = 0; n < 400 && (apart < 12 || within < 4); n++) {
         int member;
         for (int k = 0; k < 2; k++) {
             shape *one = k ? &y : &x;
