@@ -72,7 +72,8 @@ enum pm_joint_kind {
     PM_JOINT_TEETH = 19, /* GEARS by teeth: their flanks meet at the pressure angle value_2.          1 */
     PM_JOINT_RACK = 20,  /* a circle meshes with the teeth of line b, at the pressure angle value_2.      1 */
     PM_JOINT_ROLLING_CURVE = 21, /* a circle rolls on curve b, on its free side.                          2 */
-    PM_JOINT_KINDS = 22
+    PM_JOINT_ROLLING_CURVES = 22, /* closed curve a rolls on curve b, each on the other's free side.      2 */
+    PM_JOINT_KINDS = 23
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {
@@ -101,7 +102,10 @@ enum pm_contact_kind {
     PM_CONTACT_TEETH = 6, /* one flank of toothed wheels a, b with backlash; see the columns */
     PM_CONTACT_RACK = 7,  /* one flank of wheel a and the rack on line b, likewise */
     PM_CONTACT_CURVE = 8, /* circle a (radius 0: a point) against curve b, and its ends where it is open */
-    PM_CONTACT_KINDS = 9
+    /* curve a against curve b, and the ends of a where it is open (an edge: a straight curve) against b; what leaves
+     * b by an end of that touches no more */
+    PM_CONTACT_CURVES = 9,
+    PM_CONTACT_KINDS = 10
 };
 enum pm_friction { PM_FRICTION_SMOOTH = 0, PM_FRICTION_COULOMB = 1, PM_FRICTION_ROUGH = 2 };
 /* What becomes of a pair that touches and does not part (two points: that meet). */

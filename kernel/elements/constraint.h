@@ -21,7 +21,8 @@ struct pm_constraint {
     int flank;                 /* of teeth: 1, -1, or 0: the one that is loaded now (teeth.h) */
     int memory;                /* index of the memory of its anchor, or PM_NONE */
     int curve, foot;           /* of constraints on curves: which, and the memory of its foot; or PM_NONE */
-    double near;               /* without that memory: s of a place near the foot */
+    int other;                 /* of two curves that touch: the first of them; else PM_NONE */
+    double near[2];            /* without that memory: s of places near the feet, on `curve` and on `other` */
     int joint, slot;           /* owner: one of both is PM_NONE */
     int normal; /* sliding constraints and friction: index of the active constraint of its normal, else PM_NONE */
     double slide;   /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
@@ -49,7 +50,9 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_CURVE_TANGENT = 11,
     PM_CONSTRAINT_TEETH = 12,
     PM_CONSTRAINT_RACK = 13,
-    PM_CONSTRAINT_KINDS = 14
+    PM_CONSTRAINT_PAIR_NORMAL = 14,
+    PM_CONSTRAINT_PAIR_TANGENT = 15,
+    PM_CONSTRAINT_KINDS = 16
 };
 
 /* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
@@ -91,7 +94,8 @@ typedef struct pm_constraint_ops {
 extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
     pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio, pm_constraint_curve_normal,
-    pm_constraint_curve_tangent, pm_constraint_teeth, pm_constraint_rack;
+    pm_constraint_curve_tangent, pm_constraint_teeth, pm_constraint_rack, pm_constraint_pair_normal,
+    pm_constraint_pair_tangent;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 
@@ -229,8 +233,12 @@ double pm_constraint_strand_left(const pm_frame *frame, const pm_constraint *c, 
 void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int point, int curve);
 /* A circle and a curve. */
 void pm_constraint_marks_circle_and_curve(const pm_frame *frame, pm_constraint *c, int circle, int curve);
+/* Two curves. */
+void pm_constraint_marks_curves(const pm_frame *frame, pm_constraint *c, int first, int curve);
 /* The s of the foot of a constraint on a curve. */
 double pm_constraint_curve_foot(const pm_frame *frame, const pm_constraint *c);
+/* Its memory, from wherever it is near: of two curves both places. */
+void pm_constraint_curve_find(const pm_frame *frame, const pm_constraint *c, pm_memory *memory);
 /* How far the foot of a constraint on a curve is from the nearer end of it, or of its piece, m (curve.h, curve_piece.h). */
 double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c);
 /* Its memory: the foot is on the piece into which s moves `way`; what is no farther than `nothing` from a knot is on it. */

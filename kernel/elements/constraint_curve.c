@@ -19,6 +19,7 @@
 #include "elements/constraint.h"
 #include "elements/curve.h"
 #include "elements/curve_piece.h"
+#include "elements/pair.h"
 #include "state/workspace.h"
 
 /* The foot, its axes in the scene, and what an observer on the curve sees. */
@@ -43,7 +44,7 @@ static void into_axes(const double *pose, const double d[2], double x[2])
 /* Where the search for the foot begins. */
 static double begin_of(const pm_frame *frame, const pm_constraint *c)
 {
-    return c->foot == PM_NONE ? c->near : frame->memory[c->foot].foot;
+    return c->foot == PM_NONE ? c->near[0] : frame->memory[c->foot].foot;
 }
 
 /* On the piece that is followed, or without a memory wherever it is near there. */
@@ -159,19 +160,30 @@ static void act_tangent(const pm_frame *frame, const pm_constraint *c, pm_line_o
     act_along(frame, c, 0, x);
 }
 
-double pm_constraint_curve_foot(const pm_frame *frame, const pm_constraint *c)
+/* The foot of the one, or where the other curve faces it. */
+static pm_curve_place place_on(const pm_frame *frame, const pm_constraint *c)
 {
     const pm_marks m = pm_constraint_marks(frame, c);
-    return look(frame, c, &m).foot.s;
+    return c->other == PM_NONE ? look(frame, c, &m).foot : pm_constraint_pair_places(frame, c).b;
+}
+
+double pm_constraint_curve_foot(const pm_frame *frame, const pm_constraint *c)
+{
+    return place_on(frame, c).s;
+}
+
+void pm_constraint_curve_find(const pm_frame *frame, const pm_constraint *c, pm_memory *memory)
+{
+    memory->foot = pm_constraint_curve_foot(frame, c);
+    if (c->other != PM_NONE) memory->other[0] = pm_constraint_pair_places(frame, c).a.s;
 }
 
 double pm_constraint_curve_room(const pm_frame *frame, const pm_constraint *c)
 {
-    const pm_marks m = pm_constraint_marks(frame, c);
-    const pm_curve_look l = look(frame, c, &m);
+    const pm_curve_place foot = place_on(frame, c);
     return pm_curve_has_pieces(frame->model, c->curve)
-               ? pm_curve_piece_room(frame, c->curve, &l.foot, begin_of(frame, c))
-               : pm_curve_room(frame, c->curve, &l.foot);
+               ? pm_curve_piece_room(frame, c->curve, &foot, begin_of(frame, c))
+               : pm_curve_room(frame, c->curve, &foot);
 }
 
 void pm_constraint_curve_go_on(const pm_frame *frame, const pm_constraint *c, double way, double nothing,

@@ -20,6 +20,8 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_CURVE_TANGENT] = &pm_constraint_curve_tangent,
         [PM_CONSTRAINT_TEETH] = &pm_constraint_teeth,
         [PM_CONSTRAINT_RACK] = &pm_constraint_rack,
+        [PM_CONSTRAINT_PAIR_NORMAL] = &pm_constraint_pair_normal,
+        [PM_CONSTRAINT_PAIR_TANGENT] = &pm_constraint_pair_tangent,
     };
     return kinds[kind];
 }

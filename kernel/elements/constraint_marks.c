@@ -13,7 +13,7 @@ pm_constraint pm_constraint_marks_blank(int kind)
     memset(&c, 0, sizeof c);
     c.kind = kind;
     c.sign = c.ratio = 1;
-    c.memory = c.curve = c.foot = c.joint = c.slot = c.normal = c.drive = PM_NONE;
+    c.memory = c.curve = c.foot = c.other = c.joint = c.slot = c.normal = c.drive = PM_NONE;
     return c;
 }
 
@@ -75,6 +75,12 @@ void pm_constraint_marks_circle_and_curve(const pm_frame *frame, pm_constraint *
     const int32_t *e = PM_CIRCLE_ROW(frame->model, circle);
     pm_constraint_marks_curve(frame, c, e[PM_CIRCLE_POINT], curve);
     c->radius_a = frame->numbers->value[e[PM_CIRCLE_RADIUS]];
+}
+
+void pm_constraint_marks_curves(const pm_frame *frame, pm_constraint *c, int first, int curve)
+{
+    pm_constraint_marks_curve(frame, c, PM_CURVE_ROW(frame->model, first)[PM_CURVE_POINT], curve);
+    c->other = first;
 }
 
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */

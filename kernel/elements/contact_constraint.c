@@ -49,6 +49,10 @@ static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_CURVE_NORMAL);
         pm_constraint_marks_circle_and_curve(frame, normal, a, b);
         break;
+    case PM_CONTACT_CURVES:
+        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_PAIR_NORMAL);
+        pm_constraint_marks_curves(frame, normal, a, b);
+        break;
     case PM_CONTACT_PATTERN:
     case PM_CONTACT_KINDS:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
@@ -91,6 +95,7 @@ void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, 
     case PM_CONTACT_CORD:
     case PM_CONTACT_TEETH:
     case PM_CONTACT_RACK: normal->memory = memory_of(m, slot); break;
+    case PM_CONTACT_CURVES:
     case PM_CONTACT_CURVE: pm_contact_curve_constraint(frame, contact, member, normal); break;
     case PM_CONTACT_PATTERN: member_of_pattern(frame, normal, e[PM_CONTACT_B], member); break;
     default: break;
@@ -107,6 +112,7 @@ void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_
         return; /* nothing acts across a cord or a flank: it is smooth */
     tangent->kind = normal->kind == PM_CONSTRAINT_LINE_NORMAL    ? PM_CONSTRAINT_LINE_TANGENT
                     : normal->kind == PM_CONSTRAINT_CURVE_NORMAL ? PM_CONSTRAINT_CURVE_TANGENT
+                    : normal->kind == PM_CONSTRAINT_PAIR_NORMAL  ? PM_CONSTRAINT_PAIR_TANGENT
                                                                  : PM_CONSTRAINT_CIRCLE_TANGENT;
     if (tangent->kind == PM_CONSTRAINT_LINE_TANGENT)
         tangent->drive = e[PM_CONTACT_SPEED]; /* corners do not run */

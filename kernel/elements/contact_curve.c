@@ -10,12 +10,13 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "elements/contact_pair.h"
 #include "elements/curve_piece.h"
 #include "state/frame.h"
 
 int pm_contact_curve_is(const pm_model *m, int contact)
 {
-    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CURVE;
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CURVE || pm_contact_pair_is(m, contact);
 }
 
 int pm_contact_curve_any(const pm_model *m)
@@ -39,17 +40,50 @@ int pm_contact_curve_ends(const pm_model *m, int contact)
     return pm_contact_curve_is(m, contact) && !PM_CURVE_ROW(m, curve_of(m, contact))[PM_CURVE_CLOSED];
 }
 
+static int has_corners(const pm_model *m, int contact)
+{
+    return pm_contact_pair_is(m, contact) &&
+           !PM_CURVE_ROW(m, pm_contact_pair_first(m, contact))[PM_CURVE_CLOSED];
+}
+
 int pm_contact_curve_parts(const pm_model *m, int contact)
 {
-    return pm_contact_curve_ends(m, contact) ||
+    return pm_contact_curve_ends(m, contact) || has_corners(m, contact) ||
            (pm_contact_curve_is(m, contact) && pm_curve_has_pieces(m, curve_of(m, contact)));
+}
+
+static int rolls_on_another(const pm_model *m, int joint)
+{
+    return PM_JOINT_ROW(m, joint)[PM_JOINT_KIND] == PM_JOINT_ROLLING_CURVES;
+}
+
+int pm_contact_curve_looked_at(const pm_model *m)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
+        if (rolls_on_another(m, i)) return 1;
+    return pm_contact_curve_any(m);
+}
+
+static int begin_both(pm_workspace *w, int a, int b)
+{
+    const int status = pm_curve_feet_begin(w, a);
+    return status ? status : pm_curve_feet_begin(w, b);
 }
 
 int pm_contact_curve_begin(pm_workspace *w)
 {
+    const pm_model *m = w->model;
     int status = PM_OK;
-    for (int i = 0; !status && i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (pm_contact_curve_is(w->model, i)) status = pm_curve_feet_begin(w, curve_of(w->model, i));
+    for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
+        const int32_t *e = PM_CONTACT_ROW(m, i);
+        if (pm_contact_pair_is(m, i))
+            status = begin_both(w, e[PM_CONTACT_A], e[PM_CONTACT_B]);
+        else if (pm_contact_curve_is(m, i))
+            status = pm_curve_feet_begin(w, curve_of(m, i));
+    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++)
+        if (rolls_on_another(m, i))
+            status = begin_both(w, PM_JOINT_ROW(m, i)[PM_JOINT_A], PM_JOINT_ROW(m, i)[PM_JOINT_B]);
     return status;
 }
 
@@ -132,6 +166,7 @@ static int member_of(const pm_frame *frame, int contact, const pm_curve_near *ne
 double pm_contact_curve_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     pm_curve_near near;
+    if (pm_contact_pair_is(frame->model, contact)) return pm_contact_pair_gap(frame, s, contact, member);
     if (!nearest(frame, s, contact, &near)) return INFINITY;
     *member = member_of(frame, contact, &near);
     return gap_of(frame, contact, &near);
@@ -140,6 +175,7 @@ double pm_contact_curve_gap(const pm_frame *frame, const pm_state *s, int contac
 int pm_contact_curve_touches(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     pm_curve_near near;
+    if (pm_contact_pair_is(frame->model, contact)) return pm_contact_pair_touches(frame, s, contact, member);
     const double radius = radius_of(frame, contact), length = pm_contact_length(frame);
     if (!nearest(frame, s, contact, &near)) return 0;
     *member = member_of(frame, contact, &near);
@@ -151,6 +187,7 @@ int pm_contact_curve_touches(const pm_frame *frame, const pm_state *s, int conta
 int pm_contact_curve_is_below(const pm_frame *frame, const pm_state *s, int contact)
 {
     pm_curve_near near;
+    if (pm_contact_pair_is(frame->model, contact)) return 0; /* behind a curve it has no gap */
     return pm_contact_curve_ends(frame->model, contact) && nearest(frame, s, contact, &near) &&
            near.height < radius_of(frame, contact) - pm_contact_length(frame);
 }
@@ -166,7 +203,11 @@ double pm_contact_curve_gap_from_below(const pm_frame *frame, const pm_state *s,
 /* ---- members ---- */
 void pm_contact_curve_constraint(const pm_frame *frame, int contact, int member, pm_constraint *normal)
 {
-    normal->near = place_of(frame, contact, member);
+    if (pm_contact_pair_is(frame->model, contact)) {
+        pm_contact_pair_constraint(frame, contact, member, normal);
+        return;
+    }
+    normal->near[0] = place_of(frame, contact, member);
     if (!is_end(member)) return;
     const pm_curve_node *at = &frame->numbers->course[curve_of(frame->model, contact)].node[end_node(member)];
     normal->kind = PM_CONSTRAINT_DISTANCE;
@@ -178,6 +219,7 @@ void pm_contact_curve_constraint(const pm_frame *frame, int contact, int member,
 int pm_contact_curve_is_same(const pm_model *m, int contact, int a, int b)
 {
     if (!pm_contact_curve_is(m, contact)) return 0;
+    if (pm_contact_pair_is(m, contact)) return pm_contact_pair_is_same(m, contact, a, b);
     int off = (is_end(a) ? end_node(a) : a) - (is_end(b) ? end_node(b) : b);
     off = off < 0 ? -off : off;
     return off <= 1 || (!pm_contact_curve_ends(m, contact) && off >= PM_CURVE_NODES - 1);
@@ -185,12 +227,20 @@ int pm_contact_curve_is_same(const pm_model *m, int contact, int a, int b)
 
 int pm_contact_curve_way(const pm_model *m, int contact, int member)
 {
-    return pm_contact_curve_is(m, contact) && is_end(member) ? -1 : 1;
+    return pm_contact_curve_is(m, contact) && !pm_contact_pair_is(m, contact) && is_end(member) ? -1 : 1;
 }
 
-int pm_contact_curve_follow(const pm_frame *frame, int contact, double s)
+int pm_contact_curve_follow(const pm_frame *frame, int contact, int member, const pm_memory *memory)
 {
-    return pm_curve_feet_node(frame, curve_of(frame->model, contact), s);
+    if (pm_contact_pair_is(frame->model, contact))
+        return pm_contact_pair_follow(frame, contact, member, memory);
+    return is_end(member) ? member : pm_curve_feet_node(frame, curve_of(frame->model, contact), memory->foot);
+}
+
+int pm_contact_curve_outcome(const pm_model *m, int contact, int member)
+{
+    if (pm_contact_pair_is(m, contact)) return pm_contact_pair_corner(member);
+    return is_end(member) ? member : 0;
 }
 
 /* ---- ends ---- */
@@ -208,7 +258,7 @@ int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constrai
 {
     const pm_model *m = frame->model;
     const int contact = pm_contact_of_slot(m, slot);
-    if (!pm_contact_curve_is(m, contact) || is_end(member)) return 0;
+    if (!pm_contact_curve_is(m, contact) || (!pm_contact_pair_is(m, contact) && is_end(member))) return 0;
     pm_contact_constraint_normal(frame, contact, slot, member, normal);
     normal->foot = m->nmemory - m->nslot + slot;
     return 1;
@@ -217,20 +267,32 @@ int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constrai
 double pm_contact_curve_room(const pm_frame *frame, int slot, int member)
 {
     pm_constraint normal;
-    return pm_contact_curve_on(frame, slot, member, &normal)
-               ? pm_constraint_curve_room(frame, &normal) + pm_contact_length(frame)
-               : beyond_end(frame, pm_contact_of_slot(frame->model, slot), member);
+    const int contact = pm_contact_of_slot(frame->model, slot),
+              on = pm_contact_curve_on(frame, slot, member, &normal);
+    if (pm_contact_pair_is(frame->model, contact))
+        return pm_contact_pair_room(frame, &normal, contact, member);
+    return on ? pm_constraint_curve_room(frame, &normal) + pm_contact_length(frame)
+              : beyond_end(frame, contact, member);
 }
 
 int pm_contact_curve_is_at_knot(const pm_frame *frame, int slot, int member)
 {
     pm_constraint normal;
-    return pm_contact_curve_on(frame, slot, member, &normal) &&
+    const int contact = pm_contact_of_slot(frame->model, slot);
+    if (!pm_contact_curve_on(frame, slot, member, &normal)) return 0;
+    if (pm_contact_pair_is(frame->model, contact) &&
+        !pm_contact_pair_is_at_second(frame, &normal, contact, member))
+        return 0;
+    return pm_curve_has_pieces(frame->model, normal.curve) &&
            !pm_curve_piece_is_last(frame, normal.curve, pm_constraint_curve_foot(frame, &normal));
 }
 
-int pm_contact_curve_next(const pm_frame *frame, int contact, int member)
+int pm_contact_curve_next(const pm_frame *frame, int slot, int member)
 {
+    const int contact = pm_contact_of_slot(frame->model, slot);
+    pm_constraint normal;
+    if (pm_contact_pair_is(frame->model, contact) && pm_contact_curve_on(frame, slot, member, &normal))
+        return pm_contact_pair_next(frame, &normal, contact, member);
     if (is_end(member)) return end_node(member);
     if (!(radius_of(frame, contact) > 0)) return PM_NONE;
     return member < PM_CURVE_NODES / 2 ? PM_CURVE_FROM_END : PM_CURVE_TO_END;

@@ -1,4 +1,5 @@
-/* contact_curve.h - contacts of circles with curves: their gaps, and what happens at the ends of open curves. */
+/* contact_curve.h - contacts with curves, of circles and of other curves (contact_pair.h): their gaps, and what happens at the
+ * ends of open curves. */
 #ifndef PM_CONTACT_CURVE_H
 #define PM_CONTACT_CURVE_H
 
@@ -12,9 +13,11 @@ enum pm_contact_curve_member { PM_CURVE_FROM_END = PM_CURVE_NODES + 1, PM_CURVE_
 
 int pm_contact_curve_is(const pm_model *m, int contact);
 int pm_contact_curve_any(const pm_model *m);
+/* Contacts touch some curve, or one rolls on another: their places are looked for. */
+int pm_contact_curve_looked_at(const pm_model *m);
 /* Some foot is closed. */
 int pm_contact_curve_is_closed(const pm_model *m, const pm_state *s, int contact);
-/* case.c: looks at the curves that contacts touch: PM_OK, or PM_BAD_VALUE. */
+/* case.c: looks at those curves: PM_OK, or PM_BAD_VALUE. */
 int pm_contact_curve_begin(pm_workspace *w);
 /* Gap to the nearest foot, or end, that no slot has closed, and the member; INFINITY: there is none.  Behind an open curve it is
  * as behind an edge (edge.h). */
@@ -39,10 +42,12 @@ int pm_contact_curve_on(const pm_frame *frame, int slot, int member, pm_constrai
 /* How far a circle that touches `member` in a slot is from leaving it, or its piece, m; the member that follows there, or
  * PM_NONE. */
 double pm_contact_curve_room(const pm_frame *frame, int slot, int member);
-int pm_contact_curve_next(const pm_frame *frame, int contact, int member);
+int pm_contact_curve_next(const pm_frame *frame, int slot, int member);
 /* Which way the tangent of a member's constraints goes: 1 along the curve, -1 against it. */
 int pm_contact_curve_way(const pm_model *m, int contact, int member);
-/* The member as the foot s of a closed contact goes on. */
-int pm_contact_curve_follow(const pm_frame *frame, int contact, double s);
+/* The member as the foot of a closed contact goes on. */
+int pm_contact_curve_follow(const pm_frame *frame, int contact, int member, const pm_memory *memory);
+/* What of a member is an outcome of a run: not next to which node a foot is, but at which end. */
+int pm_contact_curve_outcome(const pm_model *m, int contact, int member);
 
 #endif

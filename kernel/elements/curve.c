@@ -82,8 +82,7 @@ pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s)
 }
 
 /* ---- the foot ---- */
-/* How far the tangent turns along `way`, by the curvature and its rate. */
-static double turn_along(const pm_curve_place *x, double way)
+double pm_curve_turn_along(const pm_curve_place *x, double way)
 {
     return fabs(way) * (fabs(x->bend) + 0.5 * fabs(x->bend_rate * way));
 }
@@ -95,8 +94,7 @@ static double way_of_turn(const pm_curve_place *x, double turn)
     return 2 * turn / (bend + sqrt(bend * bend + 2 * turn * fabs(x->bend_rate)));
 }
 
-/* The step of s that goes `way` along the curve. */
-static double step_of(const pm_curve_place *x, double way)
+double pm_curve_step(const pm_curve_place *x, double way)
 {
     const double square = x->rate * x->rate + 2 * x->quickens * way;
     const double root = square > 0 ? sqrt(square) : fabs(x->rate);
@@ -132,10 +130,10 @@ static pm_curve_place search(const pm_frame *frame, int curve, const double x[2]
         *height = pm_dot(d, at.n);
         if (last || fabs(way) <= nothing) return at;
         if (!(turned <= PM_CURVE_WINDOW)) break;
-        turned += turn_along(&at, way);
-        const double whole = step_of(&at, way),
+        turned += pm_curve_turn_along(&at, way);
+        const double whole = pm_curve_step(&at, way),
                      step = fmin(fmax(whole, -PM_CURVE_PART * all), PM_CURVE_PART * all);
-        last = step == whole && turn_along(&at, way) <= PM_CURVE_LAST;
+        last = step == whole && pm_curve_turn_along(&at, way) <= PM_CURVE_LAST;
         s += step;
     }
     *height = NAN;

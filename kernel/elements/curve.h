@@ -36,6 +36,10 @@ pm_curve_place pm_curve_foot_along(const pm_frame *frame, int curve, const doubl
 /* The foot that is nearest to x of all. */
 pm_curve_place pm_curve_nearest(const pm_frame *frame, int curve, const double x[2], double *height);
 
+/* How far the tangent turns along a short way from there, rad, by the curvature and its rate; the step of s that goes it. */
+double pm_curve_turn_along(const pm_curve_place *x, double way);
+double pm_curve_step(const pm_curve_place *x, double way);
+
 /* The length along the curve from one place to another, with the sign of t, on the piece in which `of` lies. */
 double pm_curve_way(const pm_frame *frame, int curve, double from, double to, double of);
 

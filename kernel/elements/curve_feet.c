@@ -82,28 +82,42 @@ static void take_node(pm_curve_course *x, int i, const pm_curve_place *at)
     x->size = fmax(x->size, 2 * apart(at->p, x->node[0].p));
 }
 
+/* The part from the node before to node i, which turns the tangent by `turns`. */
+static void take_part(pm_curve_course *x, int i, const pm_curve_place *before, const pm_curve_place *at,
+                      double way, double turns, double *angle)
+{
+    const double from = i == 1 ? atan2(before->t[1], before->t[0]) : *angle;
+    *angle = from + turns;
+    const pm_curve_stop a = {{before->p[0], before->p[1]}, from, before->bend, before->bend_rate},
+                        b = {{at->p[0], at->p[1]}, *angle, at->bend, at->bend_rate};
+    x->part[PM_CURVE_NODES + i - 1] = pm_curve_part_between(&a, &b, way * (1 + PM_CURVE_TURN));
+    x->pace = fmax(x->pace, way);
+    if (turns != 0) x->fine = fmin(x->fine, way * PM_CURVE_TURN / fabs(turns));
+}
+
 int pm_curve_feet_begin(pm_workspace *w, int curve)
 {
     const pm_frame *frame = &w->frame;
     pm_curve_course *x = &w->numbers.course[curve];
     const double part = range_of(frame, curve) / PM_CURVE_NODES;
-    double before = 0;
+    pm_curve_place before = {.s = NAN};
+    double angle = 0;
     x->pace = x->size = x->far = 0;
     x->fine = INFINITY;
     for (int i = 0; i <= PM_CURVE_NODES; i++) {
         const double s = pm_curve_feet_place(frame, curve, i);
         const pm_curve_place at = pm_curve_at(frame, curve, s);
         take_node(x, i, &at);
-        const double turns = i == 0 ? 0
-                                    : fabs(atan2(pm_cross(x->node[i - 1].t, x->node[i].t),
-                                                 pm_dot(x->node[i - 1].t, x->node[i].t)));
-        if (!(turns <= PM_CURVE_TURN)) return bad(w, curve, PM_CURVE_SIDE, s, turns);
-        const double way = part * fmax(before, fabs(at.rate));
-        if (i > 0) x->pace = fmax(x->pace, way);
-        if (turns > 0) x->fine = fmin(x->fine, way * PM_CURVE_TURN / turns);
-        before = fabs(at.rate);
+        if (i > 0) {
+            const double turns = atan2(pm_cross(before.t, at.t), pm_dot(before.t, at.t));
+            const double way = part * fmax(fabs(before.rate), fabs(at.rate));
+            if (!(fabs(turns) <= PM_CURVE_TURN)) return bad(w, curve, PM_CURVE_SIDE, s, turns);
+            take_part(x, i, &before, &at, way, turns, &angle);
+        }
+        before = at;
     }
     x->pace *= 1 + PM_CURVE_TURN;
+    pm_curve_parts_join(x->part);
     x->fine = fmin(x->fine, x->size);
     const int crossing = crosses_itself(x);
     return crossing == PM_NONE
@@ -126,12 +140,12 @@ static double along(const pm_curve_node *node, const double x[2])
     return pm_dot(d, node->t);
 }
 
-static int is_taken(const pm_curve_search *f, double s)
+int pm_curve_feet_is_taken(const pm_frame *frame, int curve, const pm_curve_taken *taken, double s)
 {
-    const double all = range_of(f->frame, f->curve);
-    for (int i = 0; i < f->taken->n; i++) {
-        double off = fabs(s - f->taken->s[i]);
-        if (is_closed(f->frame, f->curve)) off = fabs(off - all * round(off / all));
+    const double all = range_of(frame, curve);
+    for (int i = 0; i < taken->n; i++) {
+        double off = fabs(s - taken->s[i]);
+        if (is_closed(frame, curve)) off = fabs(off - all * round(off / all));
         if (off <= PM_CURVE_SAME * all) return 1;
     }
     return 0;
@@ -149,7 +163,9 @@ static void keep(pm_curve_search *f, const pm_curve_place *foot, int end, double
                  pm_curve_near *near)
 {
     const double d[2] = {f->x[0] - foot->p[0], f->x[1] - foot->p[1]}, way = pm_dot(d, foot->t);
-    if (!(distance < f->best) || is_taken(f, foot->s) || is_behind(f, pm_dot(d, foot->n))) return;
+    if (!(distance < f->best) || pm_curve_feet_is_taken(f->frame, f->curve, f->taken, foot->s) ||
+        is_behind(f, pm_dot(d, foot->n)))
+        return;
     f->best = distance;
     *near = (pm_curve_near){.foot = *foot,
                             .height = pm_dot(d, foot->n),

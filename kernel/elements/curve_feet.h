@@ -3,6 +3,7 @@
 #define PM_CURVE_FEET_H
 
 #include "elements/curve.h"
+#include "elements/curve_parts.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -14,6 +15,7 @@ typedef struct pm_curve_node {
 /* A curve of a case at equal parts of s; the last node of a closed one is its first. */
 typedef struct pm_curve_course {
     pm_curve_node node[PM_CURVE_NODES + 1];
+    pm_curve_part part[PM_CURVE_PARTS];
     double pace; /* m: of the longest way from node to node */
     double size; /* m: of its extent */
     double
@@ -43,6 +45,8 @@ int pm_curve_feet_begin(pm_workspace *w, int curve);
 /* The s of a node, and the node next to s. */
 double pm_curve_feet_place(const pm_frame *frame, int curve, int node);
 int pm_curve_feet_node(const pm_frame *frame, int curve, double s);
+/* A foot at s is one of those. */
+int pm_curve_feet_is_taken(const pm_frame *frame, int curve, const pm_curve_taken *taken, double s);
 /* The nearest foot or end, but for those that are taken, of a point x in the axes of the curve; 0: there is none. */
 int pm_curve_feet_nearest(const pm_frame *frame, int curve, const double x[2], const pm_curve_taken *taken,
                           pm_curve_near *near);

@@ -82,6 +82,12 @@ static void rolling_curve(const pm_frame *frame, const int32_t *e, pm_constraint
     put_beside(&c[1], PM_CONSTRAINT_CURVE_TANGENT, &c[0]);
 }
 
+static void rolling_curves(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    put(frame, e, &c[0], PM_CONSTRAINT_PAIR_NORMAL, pm_constraint_marks_curves);
+    put_beside(&c[1], PM_CONSTRAINT_PAIR_TANGENT, &c[0]);
+}
+
 static void gears(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     c->kind = PM_CONSTRAINT_CIRCLE_TANGENT;
@@ -241,6 +247,8 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
                        .compose = slot},
     [PM_JOINT_ROLLING_CURVE] = {CIRCLE, CURVE, .nconstraint = 2, .memories = 1, .feet = 1, .presses = 1,
                                 .slip = PM_NONE, .compose = rolling_curve},
+    [PM_JOINT_ROLLING_CURVES] = {CURVE, CURVE, .nconstraint = 2, .memories = 1, .feet = 1, .presses = 1,
+                                 .slip = PM_NONE, .compose = rolling_curves},
 };
 
 const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }

@@ -312,8 +312,8 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
     }
     pm_contact_constraint_both(frame, contact, slot, s->slot[slot].member, &normal, &tangent);
     if (normal.curve != PM_NONE)
-        s->memory[frame->model->nmemory - frame->model->nslot + slot].foot =
-            pm_constraint_curve_foot(frame, &normal);
+        pm_constraint_curve_find(frame, &normal,
+                                 &s->memory[frame->model->nmemory - frame->model->nslot + slot]);
     remember(frame, s, &tangent, 1);
 }
 
@@ -373,11 +373,9 @@ static void follow_members(const pm_frame *frame, pm_state *s)
     const pm_model *m = frame->model;
     for (int i = 0; i < m->nslot; i++) {
         const int contact = pm_contact_of_slot(m, i);
-        if (s->slot[i].mode == PM_OPEN || !pm_contact_curve_is(m, contact) ||
-            s->slot[i].member > PM_CURVE_NODES)
-            continue;
+        if (s->slot[i].mode == PM_OPEN || !pm_contact_curve_is(m, contact)) continue;
         s->slot[i].member =
-            pm_contact_curve_follow(frame, contact, s->memory[m->nmemory - m->nslot + i].foot);
+            pm_contact_curve_follow(frame, contact, s->slot[i].member, &s->memory[m->nmemory - m->nslot + i]);
     }
 }
 

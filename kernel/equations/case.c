@@ -78,6 +78,7 @@ static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW(m, contact);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES) return PM_OK;
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH)
         return check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,

@@ -176,7 +176,9 @@ static double least_beside_edge(const pm_workspace *w, const int32_t *e, const p
 /* The gap is never less. */
 static double least_gap(const pm_workspace *w, int contact)
 {
-    const int32_t *e = PM_CONTACT_ROW(w->model, contact), *circle = PM_CIRCLE_ROW(w->model, e[PM_CONTACT_A]);
+    const int32_t *e = PM_CONTACT_ROW(w->model, contact);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES) return -INFINITY;
+    const int32_t *circle = PM_CIRCLE_ROW(w->model, e[PM_CONTACT_A]);
     const pm_ring a = ring_of(w, circle[PM_CIRCLE_POINT]);
     const double ra = w->numbers.value[circle[PM_CIRCLE_RADIUS]];
     if (!a.known) return -INFINITY;

@@ -88,14 +88,37 @@ static void position_step(pm_workspace *w, double *x, double *dense)
     }
 }
 
-static void limit_step(const pm_model *model, const pm_numbers *numbers, double *x)
+/* The longest move and the largest turn of a step, by the scene's size. */
+static double longest(const pm_model *model, const pm_numbers *numbers, const double *x, double *turn)
 {
-    double longest = 0;
-    for (int i = 0; i < model->nq; i++)
-        longest = pm_max(fabs(x[i]) * (i % 3 == 2 ? numbers->size : 1), longest);
-    const double factor =
-        longest > PM_ASSEMBLY_LONGEST * numbers->size ? PM_ASSEMBLY_LONGEST * numbers->size / longest : 1;
-    for (int i = 0; i < model->nq; i++) x[i] *= factor;
+    double move = 0;
+    *turn = 0;
+    for (int i = 0; i < model->nq; i++) {
+        double *largest = i % 3 == 2 ? turn : &move;
+        *largest = pm_max(fabs(x[i]) / (i % 3 == 2 ? 1 : numbers->size), *largest);
+    }
+    return move;
+}
+
+static void go(pm_workspace *w, const double *from, const double *x, double factor)
+{
+    for (int i = 0; i < w->model->nq; i++) w->state.q[i] = from[i] + factor * x[i];
+    pm_frame_look_state(&w->frame, &w->state);
+}
+
+/* Goes along a step, which leads to other branches where it is long.  Bodies that hardly turn may go far, as those of a
+ * long chain do which are drawn at one place: a joint is linear in its places.  If that does not close it, they go back. */
+static void take_step(pm_workspace *w, const double *x, double *from, double opening)
+{
+    double turn;
+    int table, row;
+    const double move = longest(w->model, &w->numbers, x, &turn), most = pm_max(move, turn);
+    memcpy(from, w->state.q, (size_t)w->model->nq * sizeof *from);
+    if (turn <= PM_ASSEMBLY_LONGEST) {
+        go(w, from, x, 1);
+        if (most <= PM_ASSEMBLY_LONGEST || worst_opening(w, &table, &row) <= PM_GAIN * opening) return;
+    }
+    go(w, from, x, PM_ASSEMBLY_LONGEST / most);
 }
 
 int pm_start_assemble(pm_workspace *w, pm_start_report *report)
@@ -113,9 +136,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
             break;
         best = pm_min(report->opening, best);
         position_step(w, x, dense);
-        limit_step(w->model, &w->numbers, x);
-        for (int i = 0; i < m->nq; i++) w->state.q[i] += x[i];
-        pm_frame_look_state(&w->frame, &w->state);
+        take_step(w, x, dense + 2 * m->nq, report->opening);
     }
     for (int i = 0; i < m->nbody; i++)
         for (int k = 0; k < 3; k++) {

@@ -223,9 +223,10 @@ void pm_event_evidence_instant(pm_workspace *w, int marks)
 /* Next to which node a foot on a curve is says nothing; at which end it is does. */
 static uint32_t member_that_counts(const pm_workspace *w, int slot)
 {
-    const int member = w->state.slot[slot].member;
-    const int foot = pm_contact_curve_is(w->model, pm_contact_of_slot(w->model, slot));
-    return foot && member <= PM_CURVE_NODES ? 0 : (uint32_t)member;
+    const int member = w->state.slot[slot].member, contact = pm_contact_of_slot(w->model, slot);
+    return (uint32_t)(pm_contact_curve_is(w->model, contact)
+                          ? pm_contact_curve_outcome(w->model, contact, member)
+                          : member);
 }
 
 void pm_event_evidence_close(pm_workspace *w)

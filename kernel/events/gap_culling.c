@@ -23,6 +23,12 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
+/* A curve of a body reaches so far from its origin. */
+static void reach(pm_gap_culling *x, const pm_model *m, int body, double far)
+{
+    if (body < m->nbody) x->radius[body] = pm_max(far, x->radius[body]);
+}
+
 void pm_gap_culling_begin(pm_gap_culling *x, const pm_frame *frame)
 {
     const pm_model *m = frame->model;
@@ -38,10 +44,16 @@ void pm_gap_culling_begin(pm_gap_culling *x, const pm_frame *frame)
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const pm_constraint *c = &frame->numbers->of_contact[i];
-        if (!pm_contact_curve_is(m, i) || c->body[1] == m->nbody) continue;
-        const double far = pm_length(c->b) + frame->numbers->course[c->curve].far;
-        x->radius[c->body[1]] = pm_max(far, x->radius[c->body[1]]);
+        if (!pm_contact_curve_is(m, i)) continue;
+        reach(x, m, c->body[1], pm_length(c->b) + frame->numbers->course[c->curve].far);
+        if (c->other != PM_NONE)
+            reach(x, m, c->body[0], pm_length(c->a) + frame->numbers->course[c->other].far);
     }
+}
+
+static int body_of_curve(const pm_model *m, int curve)
+{
+    return pm_model_body_index(m, pm_model_body_of(m, PM_TABLE_CURVE, curve));
 }
 
 static int body_of_circle(const pm_model *m, int circle)
@@ -54,15 +66,15 @@ static int bodies_of(const pm_model *m, int contact, int body[2])
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
     int point;
-    body[0] = body_of_circle(m, e[PM_CONTACT_A]);
+    const int curves = e[PM_CONTACT_KIND] == PM_CONTACT_CURVES;
+    body[0] = curves ? body_of_curve(m, e[PM_CONTACT_A]) : body_of_circle(m, e[PM_CONTACT_A]);
     body[1] = m->nbody;
     switch (e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE: point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT]; break;
     case PM_CONTACT_PATTERN: point = PM_PATTERN_ROW(m, e[PM_CONTACT_B])[PM_PATTERN_POINT]; break;
     case PM_CONTACT_CIRCLE: body[1] = body_of_circle(m, e[PM_CONTACT_B]); return 1;
-    case PM_CONTACT_CURVE:
-        body[1] = pm_model_body_index(m, pm_model_body_of(m, PM_TABLE_CURVE, e[PM_CONTACT_B]));
-        return 1;
+    case PM_CONTACT_CURVES:
+    case PM_CONTACT_CURVE: body[1] = body_of_curve(m, e[PM_CONTACT_B]); return 1;
     default: return 0;
     }
     return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
@@ -126,11 +138,18 @@ static double part_of_edge(const pm_numbers *numbers, const int32_t *e)
     return PM_CULLING_EDGE * (numbers->value[e[PM_CONTACT_TO]] - numbers->value[e[PM_CONTACT_FROM]]);
 }
 
+static double through_curve(const pm_numbers *numbers, int curve)
+{
+    return fmin(numbers->course[curve].fine, PM_CULLING_EDGE * numbers->course[curve].size);
+}
+
 /* The sum of the radii of two circles, or of a circle and a member of a pattern (a point); 0 of what cannot be gone
  * through. */
 static double through(const pm_model *m, const pm_numbers *numbers, int contact)
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES)
+        return fmin(through_curve(numbers, e[PM_CONTACT_A]), through_curve(numbers, e[PM_CONTACT_B]));
     const double radius = numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     switch (e[PM_CONTACT_KIND]) {
     case PM_CONTACT_PATTERN: return radius;
@@ -139,9 +158,7 @@ static double through(const pm_model *m, const pm_numbers *numbers, int contact)
                    ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
     case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);
-    case PM_CONTACT_CURVE:
-        return fmin(numbers->course[e[PM_CONTACT_B]].fine,
-                    PM_CULLING_EDGE * numbers->course[e[PM_CONTACT_B]].size);
+    case PM_CONTACT_CURVE: return through_curve(numbers, e[PM_CONTACT_B]);
     default: return 0;
     }
 }

@@ -107,11 +107,17 @@ static int hand_over(pm_workspace *w, int mode, int heir)
     return status;
 }
 
-static int next_member(const pm_workspace *w, int contact, int member, int *heir)
+static int next_member(const pm_workspace *w, int slot, int member, int *heir)
 {
+    const int contact = pm_contact_of_slot(w->model, slot);
     *heir = PM_NONE;
-    return pm_contact_curve_is(w->model, contact) ? pm_contact_curve_next(&w->frame, contact, member)
+    return pm_contact_curve_is(w->model, contact) ? pm_contact_curve_next(&w->frame, slot, member)
                                                   : pm_edge_next(&w->frame, &w->state, contact, member, heir);
+}
+
+static int way_of(const pm_model *m, int contact, int member)
+{
+    return pm_edge_way(m, contact, member) * pm_contact_curve_way(m, contact, member);
 }
 
 /* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the
@@ -122,15 +128,17 @@ static int pass_end(pm_workspace *w, int slot)
     int heir;
     /* Between two pieces of a curve nothing changes but the piece (switches.c). */
     if (pm_contact_curve_is_at_knot(&w->frame, slot, s->member)) return PM_OK;
-    const int next = next_member(w, pm_contact_of_slot(w->model, slot), s->member, &heir);
+    const int next = next_member(w, slot, s->member, &heir);
     if (next == PM_NONE) {
         const int mode = s->mode;
         s->mode = PM_OPEN;
         w->instant.slot_released[slot] = PM_FOR_GOOD;
         return heir == PM_NONE ? PM_OK : hand_over(w, mode, heir);
     }
+    const int contact = pm_contact_of_slot(w->model, slot),
+              turns = way_of(w->model, contact, s->member) != way_of(w->model, contact, next);
     s->member = next;
-    if (pm_contact_modes_slides(s->mode))
+    if (turns && pm_contact_modes_slides(s->mode))
         s->mode = s->mode == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
     pm_active_set_anchor(&w->frame, &w->state, slot);
     return PM_OK;

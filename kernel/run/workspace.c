@@ -49,7 +49,7 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->reach.hinge, m->nbody + 1),
         PM_ARRAY(w->numbers.of_joint, m->njoint_constraint),
         PM_ARRAY(w->numbers.of_contact, m->rows[PM_TABLE_CONTACT]),
-        PM_ARRAY(w->numbers.course, pm_contact_curve_any(m) ? m->rows[PM_TABLE_CURVE] : 0),
+        PM_ARRAY(w->numbers.course, pm_contact_curve_looked_at(m) ? m->rows[PM_TABLE_CURVE] : 0),
         PM_ARRAY(w->active.constraint, nconstraint + 1),
         PM_ARRAY(w->active.of_joint, m->njoint_constraint),
         PM_ARRAY(w->active.slot_normal, m->nslot),

@@ -32,8 +32,9 @@ static void lay_out(pm_model *m)
     }
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         const int32_t *e = PM_CONTACT_ROW(m, i);
+        const int kind = e[PM_CONTACT_KIND];
         const int several =
-            e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN || e[PM_CONTACT_KIND] == PM_CONTACT_CURVE;
+            kind == PM_CONTACT_PATTERN || kind == PM_CONTACT_CURVE || kind == PM_CONTACT_CURVES;
         const int slots = several ? PM_PATTERN_SLOTS : 1;
         m->nedge += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         m->contact_slot[i] = m->nslot;

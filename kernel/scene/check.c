@@ -84,7 +84,7 @@ static int captures_soundly(const int32_t *e)
 static int check_slack(const pm_model *m, int contact, pm_where *where)
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
-    const int flank = e[PM_CONTACT_KIND] >= PM_CONTACT_TEETH;
+    const int flank = e[PM_CONTACT_KIND] == PM_CONTACT_TEETH || e[PM_CONTACT_KIND] == PM_CONTACT_RACK;
     if (e[PM_CONTACT_FRICTION] != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
         return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[PM_CONTACT_SLACK], 0);
     if (flank && (e[PM_CONTACT_PRESSURE] < 0 || e[PM_CONTACT_LAW] != PM_LAW_NEWTON))

@@ -119,6 +119,7 @@ static const int contact_partner[PM_CONTACT_KINDS][2] = {
     [PM_CONTACT_TEETH] = {PM_TABLE_CIRCLE, PM_TABLE_CIRCLE},
     [PM_CONTACT_RACK] = {PM_TABLE_CIRCLE, PM_TABLE_LINE},
     [PM_CONTACT_CURVE] = {PM_TABLE_CIRCLE, PM_TABLE_CURVE},
+    [PM_CONTACT_CURVES] = {PM_TABLE_CURVE, PM_TABLE_CURVE},
 };
 
 int pm_reference_in_range(const pm_model *m, int of, int index)

@@ -89,7 +89,8 @@ static int contact_stays(const pm_frame *frame, const pm_symmetry_shift *s, int 
 {
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     const int a = e[PM_CONTACT_A], b = e[PM_CONTACT_B];
-    if (!circle_stays(frame, s, a) || e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) return 0;
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES || e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) return 0;
+    if (!circle_stays(frame, s, a)) return 0;
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE: return line_stays(frame, s, b);
     case PM_CONTACT_CIRCLE: return circle_stays(frame, s, b);

@@ -46,6 +46,30 @@ FAULTS = [
         "return near.height - radius <= length;",
     ),
     Fault(
+        "pairs of curves: the places go on as if the first were straight",
+        "elements/constraint_pair.c",
+        "l.ways[1] = (a * l.along + turns) / at->closer;",
+        "l.ways[1] = (0 * l.along + turns) / at->closer;",
+    ),
+    Fault(
+        "pairs of curves: what is behind the other touches",
+        "elements/pair.c",
+        "if (at->height < 0 && !is_in(x, at)) return;",
+        "if (at->height < 0 && at->height > -1e-9 && !is_in(x, at)) return;",
+    ),
+    Fault(
+        "pairs of curves: parts that face each other are passed over",
+        "elements/pair.c",
+        "- M_PI, 2 * M_PI)) <= a->spread + b->spread;",
+        "- M_PI, 2 * M_PI)) <= a->spread;",
+    ),
+    Fault(
+        "pairs of curves: a corner that was passed strikes",
+        "elements/pair.c",
+        "if (!closed->passed[corner]) look_at_corner(&f, corner);",
+        "look_at_corner(&f, corner);",
+    ),
+    Fault(
         "pieces of curves: a foot stays on the piece from which it comes",
         "elements/curve_piece.c",
         "of = piece.to + beside(frame, curve);",

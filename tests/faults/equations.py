@@ -6,6 +6,12 @@ FAULTS = [
     Fault(
         "curves: the foot of a contact is not followed",
         "equations/active_set.c",
+        "if (c->curve != PM_NONE) c->foot = m->nmemory - m->nslot + slot;",
+        "if (c->curve != PM_NONE && slot < 0) c->foot = m->nmemory - m->nslot + slot;",
+    ),
+    Fault(
+        "curves: the foot of a contact is not followed",
+        "equations/active_set.c",
         "follow_members(frame, s);\n    follow_slack",
         "follow_slack",
     ),

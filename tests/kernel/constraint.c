@@ -4,6 +4,7 @@
 #include "elements/constraint.h"
 
 #include "check.h"
+#include "elements/contact.h"
 #include "elements/joint.h"
 #include "elements/teeth.h"
 #include "equations/active_set.h"
@@ -274,6 +275,38 @@ static void periodic_row(int ground_side)
     scene_free(x.s);
 }
 
+/* Half axes a, b round a point; free outside. */
+static int ellipse(scene *s, int point, double a, double b)
+{
+    const scene_code place = scene_m(scene_measure(s, PM_MEASURE_PLACE, PM_NONE));
+    const int x = SCENE_PROGRAM(s, scene_k(s, a), place, scene_op(PM_OP_COS), scene_op(PM_OP_MUL)),
+              y = SCENE_PROGRAM(s, scene_k(s, b), place, scene_op(PM_OP_SIN), scene_op(PM_OP_MUL));
+    return SCENE_ROW(s, PM_TABLE_CURVE, point, x, y, scene_value(s, 0), scene_value(s, TWO_PI), 1, -1,
+                     PM_NONE);
+}
+
+/* Two ellipses at a distance, and deep in each other by a part of it. */
+static void pair_rows(int ground_side, double part)
+{
+    pair x = make_pair(ground_side);
+    const double a = part * x.distance;
+    scene_contact(x.s, PM_CONTACT_CURVES, ellipse(x.s, x.point[0], a, 0.7 * a),
+                  ellipse(x.s, x.point[1], 0.8 * a, 1.1 * a), 0, 0.5, PM_FRICTION_ROUGH, 0);
+    if (open_case(x.s)) {
+        int member;
+        pm_workspace *w = x.s->w;
+        look(w, NULL, 0);
+        const double gap = pm_contact_gap(&w->frame, &w->state, 0, &member);
+        pm_constraint row[2];
+        pm_contact_constraint_both(&w->frame, 0, 0, member, &row[0], &row[1]);
+        for (int k = 0; k < 2; k++) check_row(w, row[k], 0);
+        pm_constraint_kind(row[0].kind)->evaluate(&w->frame, &row[0]);
+        NEAR(row[0].g, gap, 1e-14);
+        CHECK(part < 0.5 ? gap > 0 : gap < 0);
+    }
+    scene_free(x.s);
+}
+
 /* A thousand turns on a line: x = r angle to rounding, whatever the integrator does. */
 static void rolls_on_a_line(void)
 {
@@ -333,6 +366,8 @@ int main(void)
         circle_rows(ground_side, 1, 1); /* a circle on a point */
         circle_rows(ground_side, -1, 0);
         periodic_row(ground_side);
+        pair_rows(ground_side, 0.3);
+        pair_rows(ground_side, 0.65);
     }
     rolls_on_a_line();
     rolls_in_a_circle(1);

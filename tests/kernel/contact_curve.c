@@ -124,6 +124,24 @@ static void stays_on_the_near_side(int route)
     scene_free(s);
 }
 
+/* A point slides in a round bowl from 0.2 rad under its rim to the same on the other side, the tangent turning by 2.7 rad. */
+static void slides_far(int route)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0, -cos(0.2), -sin(0.2), 0), g = scene_point(s, b, 0, 0);
+    touch(s, b, 0, ellipse(s, 1, 1, 1), 0, PM_FRICTION_SMOOTH);
+    const int at = scene_when(s, PM_TRIGGER_RISE,
+                              scene_minus(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X), cos(0.3)));
+    scene_until(s, at, 1);
+    const int y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y)),
+              v = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_NORM));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[y], -sin(0.3), CLOSE);
+    NEAR(s->out[v], sqrt(2 * G * (sin(0.3) - sin(0.2))), 1e-7);
+    scene_free(s);
+}
+
 /* ---- rolling ---- */
 /* From x0 to the bottom of y = a x^2/2, held by a joint or by friction that never slips. */
 static void rolls(int route, int joint)
@@ -203,6 +221,7 @@ int main(void)
     for (int k = 0; k < 3; k++) {
         if (k < 2) rests_on_two(routes[k]);
         stays_on_the_near_side(routes[k]);
+        slides_far(routes[k]);
         rolls(routes[k], 0);
         rolls(routes[k], 1);
         goes_over(routes[k], 0, PM_FRICTION_SMOOTH);

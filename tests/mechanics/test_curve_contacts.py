@@ -13,6 +13,7 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
 from planemotion import SceneError, SimulationError
+from tests.mechanics.curve_scenes import ROLLS
 from tests.scenes import ROUTES, G, asked, close, on_route
 
 PARABOLA = '{ x = "(1 m)*s", y = "(0.25 m)*s^2", from = -3, to = 3 }'
@@ -61,12 +62,6 @@ def test_a_point_slides_in_a_bowl_as_integrated(route: str, mu: float) -> None:
         whole = solve_ivp(motion, (0, 1.2), [1, 0], method="DOP853", rtol=1e-13, atol=1e-14)
         assert whole.y[1, -1] < 0
         assert asked(result, "x") == pytest.approx(whole.y[0, -1], abs=close(route))
-
-
-ROLLS = {
-    "contact": 'contacts.c = { touch = ["p.rim", "ground.bowl"], friction = "rough" }',
-    "joint": 'joints.c = { rolling = ["p.rim", "ground.bowl"] }',
-}
 
 
 @pytest.mark.parametrize("how", sorted(ROLLS))
@@ -507,7 +502,7 @@ def test_a_free_body_in_a_free_ring_keeps_what_must_be_kept(route: str) -> None:
         ('{ x = "(2 m)*cos(s)", y = "(1 m)*sin(2*s)", from = 0, to = "2*pi", closed = true }', '["p.rim", "ground.c"]', "crosses itself"),
         ('{ x = "(1 m)*s", y = "(0.015 m)*cos(60*s)", from = 0, to = 10 }', '["p.rim", "ground.c"]', "bends too sharply"),
         ('{ ellipse = ["2 m", "1 m"], side = "right" }', '["p.rim", "ground.c"]', "overlap"),
-        ('{ ellipse = ["2 m", "1 m"] }', '["p.edge", "ground.c"]', "a curve and a line do not touch"),
+        ('{ ellipse = ["2 m", "1 m"] }', '["p.edge", "ground.c"]', "a line that touches a curve ends"),
         ('{ ellipse = ["2 m", "1 m"] }', '["p.rim", "ground.c"], capture = "pin"', "a curve captures nothing"),
     ],
 )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from scipy.integrate import quad
+from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
 import planemotion
@@ -62,3 +62,49 @@ def test_a_gear_train_loses_what_its_teeth_rub() -> None:
     assert lost > 0.05 * put_in
     assert number(ideal["lost"].value) == pytest.approx(0, abs=1e-9)
     assert number(ideal["speed"].value) > load
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_ball_rolls_down_the_wavy_ramp_as_integrated(route: str) -> None:
+    """Its centre goes (1 - r b) along the ramp, u' = -5/7 g t_y; N/m = g n_y + u^2 b/(1 - r b), F/m = 2/7 g t_y; then it flies."""
+    asks = planemotion.load(STUDIES / "wavy_ramp.toml").run(**{"solve.route": route}).asks
+    r, a, k, slope, end = 0.05, 0.03, 5.0, 0.4, 1.6
+
+    def along(s: float) -> tuple[float, float, float]:
+        """The slope, the length by s, the curvature."""
+        first, size = -slope - a * k * math.sin(k * s), math.hypot(1, slope + a * k * math.sin(k * s))
+        return first, size, -a * k * k * math.cos(k * s) / size**3
+
+    def motion(_: float, y: list[float]) -> list[float]:
+        first, size, bend = along(y[0])
+        return [y[1] / (1 - r * bend) / size, -5 / 7 * G * first / size]
+
+    def off(_: float, y: list[float]) -> float:
+        return y[0] - end
+
+    off.terminal = True  # type: ignore[attr-defined]
+    found = solve_ivp(
+        motion, (0, 3), [0.1, 0], method="DOP853", rtol=1e-13, atol=1e-14, events=off, dense_output=True
+    )
+    t, u = found.t[-1], found.y[1, -1]
+    first, size, _ = along(end)
+    x, y = end - r * first / size, -slope * end + a * math.cos(k * end) + r / size
+    fall = u * first / size
+    flight = (fall + math.sqrt(fall * fall + 2 * G * (y + 2))) / G
+
+    def normal(s: float, u: float) -> float:
+        _, size, bend = along(s)
+        return G / size + u * u * bend / (1 - r * bend)
+
+    pressed = [normal(*found.sol(t * i / 20000)) for i in range(20001)]
+    needed = [
+        2 / 7 * G * abs(along(s)[0]) / along(s)[1] / n
+        for s, n in ((found.sol(t * i / 20000)[0], n) for i, n in enumerate(pressed))
+    ]
+    near = within(route, ida=1e-8)
+    assert number(asks["t_off"].value) == pytest.approx(t, rel=near)
+    assert number(asks["x_off"].value) == pytest.approx(x, rel=near)
+    assert number(asks["v_off"].value) == pytest.approx(u, rel=near)
+    assert number(asks["far"].value) == pytest.approx(x + u / size * flight, rel=near)
+    assert number(asks["hardest"].value) == pytest.approx(2 * max(pressed), rel=1e-7)
+    assert number(asks["friction_needed"].value) == pytest.approx(max(needed), rel=1e-7)

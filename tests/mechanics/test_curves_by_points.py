@@ -17,6 +17,7 @@ from scipy.optimize import brentq
 
 import planemotion
 from planemotion import SceneError
+from tests.mechanics.curve_scenes import ROLLS
 from tests.scenes import ROUTES, G, answers, asked, close, on_route
 
 BOWL = (
@@ -161,12 +162,6 @@ def test_a_point_slides_with_friction_on_a_bowl(route: str) -> None:
     assert s > wire.knots[3]
     assert got["x"] == pytest.approx(wire.at(s)[0], abs=close(route))
     assert got["v"] == pytest.approx(wire.at(s, 1)[0] * v, abs=close(route))
-
-
-ROLLS = {
-    "contact": 'contacts.c = { touch = ["p.rim", "ground.bowl"], friction = "rough" }',
-    "joint": 'joints.c = { rolling = ["p.rim", "ground.bowl"] }',
-}
 
 
 @pytest.mark.parametrize("how", sorted(ROLLS))

@@ -16,6 +16,7 @@ from ..geometry.curves import CurveMark
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
+from ..geometry.pairs import is_pair, is_swapped, kernel_curve
 from ..geometry.parameters import Reader, is_zero
 from ..geometry.partners import Partner, different, kernel_circle, side, touching
 from ..language.dimensions import DIMENSIONLESS, STIFFNESS, VELOCITY
@@ -70,7 +71,7 @@ class Contacts:
         for one in (first, second):
             self._check(one)
         a, b = first, second
-        swapped = a.kind in ("line", "curve", "row") or b.kind == "set"
+        swapped = is_swapped(a, b)
         if swapped:
             a, b = b, a
         is_set = a.kind == "set"
@@ -101,9 +102,12 @@ class Contacts:
 
     def _geometry(self, a: Partner, b: Partner, contact: Contact, path: str, swapped: bool) -> dict[int, int]:
         """Kind, partners and side of a row."""
+        if is_pair(a, b):
+            return self._curves(a, b, contact, path)
         if a.kind not in _ROUND or b.kind == "set":
             raise SceneError(
-                f"a {a.kind} and a {b.kind} do not touch; first a circle, a point or a plate's corners",
+                f"a {a.kind} and a {b.kind} do not touch; first a circle, a point or a plate's corners, or a "
+                "curve or an edge beside a curve",
                 path=f"{path}.touch",
             )
         different(a, b)
@@ -123,9 +127,7 @@ class Contacts:
                 ends = tuple(self.tables.value(end, b.where) for end in b.mark.extent)
         elif b.kind == "curve":
             assert isinstance(b.mark, CurveMark)
-            if contact.capture != "none":
-                reason = "a curve captures nothing: a line, a circle or a point does"
-                raise SceneError(reason, path=f"{path}.capture", value=contact.capture)
+            self._captures_nothing(contact, path)
             kind, other = layout.PM_CONTACT_CURVE, self.drawn.curve(b.owner, b.mark, b.mark_path)
         elif b.kind == "row":
             assert isinstance(b.mark, RowMark)
@@ -149,6 +151,27 @@ class Contacts:
             layout.PM_CONTACT_FROM: ends[0],
             layout.PM_CONTACT_TO: ends[1],
         }
+
+    def _curves(self, a: Partner, b: Partner, contact: Contact, path: str) -> dict[int, int]:
+        """Two curves, of which the first may be an edge."""
+        different(a, b)
+        self._captures_nothing(contact, path)
+        for key in ("normal", "surface_speed"):
+            if getattr(contact, key) is not None:
+                raise SceneError(f"two curves have no {key}", path=f"{path}.{key}")
+        return {
+            layout.PM_CONTACT_KIND: layout.PM_CONTACT_CURVES,
+            layout.PM_CONTACT_A: kernel_curve(self.drawn, a, whole=True),
+            layout.PM_CONTACT_B: kernel_curve(self.drawn, b),
+            layout.PM_CONTACT_SIDE: layout.PM_NONE,
+            layout.PM_CONTACT_FROM: layout.PM_NONE,
+            layout.PM_CONTACT_TO: layout.PM_NONE,
+        }
+
+    def _captures_nothing(self, contact: Contact, path: str) -> None:
+        if contact.capture != "none":
+            reason = "a curve captures nothing: a line, a circle or a point does"
+            raise SceneError(reason, path=f"{path}.capture", value=contact.capture)
 
     def _line_through(self, a: Partner, b: Partner, normal: Value | None, path: str) -> int:
         """The second of two points acts as a line through it, whose free side the normal points to."""

@@ -1,4 +1,6 @@
-"""Rolling without slip or parting: a circle on a line, a curve, or another circle from outside or inside."""
+"""Rolling without slip or parting: a circle on a line, a curve, or another circle from outside or
+inside; a closed curve on another.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +8,10 @@ import math
 from typing import TYPE_CHECKING
 
 from .. import _layout as layout
+from ..base.errors import SceneError
 from ..geometry.curves import CurveMark
 from ..geometry.marks import LineMark
+from ..geometry.pairs import kernel_curve
 from ..geometry.partners import Partner, kernel_circle, side
 from ..geometry.push import Push
 from ..geometry.rows import JointRow
@@ -23,7 +27,7 @@ if TYPE_CHECKING:
 
 class Rolling(Joint):
     word = "rolling"
-    marks = (("circle",), ("line", "circle", "curve"))
+    marks = (("circle", "curve"), ("line", "circle", "curve"))
     quantities = {
         "normal": Quantity((layout.PM_MEASURE_JOINT_NORMAL,), FORCE),
         "friction": Quantity((layout.PM_MEASURE_JOINT_FRICTION,), FORCE),
@@ -32,6 +36,8 @@ class Rolling(Joint):
     columns = ("force.x", "force.y", "normal", "friction")
 
     def row(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        if isinstance(a.mark, CurveMark):
+            return self._on_another(to, a, b, path)
         circle = kernel_circle(to.drawn, a)
         if isinstance(b.mark, LineMark):
             line = to.drawn.line(b.owner, b.mark, b.where)
@@ -42,6 +48,18 @@ class Rolling(Joint):
             )
         other = kernel_circle(to.drawn, b)
         return JointRow(layout.PM_JOINT_ROLLING_CIRCLE, circle, other, (side(to.drawing, a, b), path))
+
+    def _on_another(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
+        """Two curves; what the kernel has first is closed and has no knots."""
+        if not isinstance(b.mark, CurveMark):
+            reason = f"a curve rolls on another curve; of a {b.kind} and a curve name the {b.kind} first"
+            raise SceneError(reason, path=f"{path}.rolling")
+        assert isinstance(a.mark, CurveMark)
+        for one in (a, b):
+            if isinstance(one.mark, CurveMark) and not one.mark.closed:
+                raise SceneError("curves that roll on each other are closed", path=one.where)
+        first = kernel_curve(to.drawn, a, whole=True)
+        return JointRow(layout.PM_JOINT_ROLLING_CURVES, first, kernel_curve(to.drawn, b))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         push = self.pushes(sketch, a, b)

@@ -17,6 +17,7 @@ from ..geometry.curves import CurveMark
 from ..geometry.drawing import Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
 from ..geometry.motion import reads_motion
+from ..geometry.pairs import as_curve, is_pair
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
@@ -325,8 +326,18 @@ class Sketch:
             (bx + side_b * radius_b * x, by + side_b * radius_b * y),
         )
 
+    def between_curves(self, a: Partner, b: Partner) -> tuple[Place, Place]:
+        """The nearest places of two curves, one of which may be an edge."""
+        places = [self.curve(one.owner, as_curve(one)) for one in (a, b)]
+        apart = np.hypot(*(places[0][:, None] - places[1][None]).T)
+        of_a = places[0][np.unravel_index(np.argmin(apart), apart.shape)[1]]
+        at_b = self.along_curve(b.owner, as_curve(b), (float(of_a[0]), float(of_a[1])))[0]
+        return self.along_curve(a.owner, as_curve(a), at_b)[0], at_b
+
     def touching(self, a: Partner, b: Partner, ends: bool = False) -> tuple[Place, Place]:
         """The nearest places of two marks that may touch; `ends`: a line goes no further than its body."""
+        if is_pair(a, b):
+            return self.between_curves(a, b)
         center = self.of_partner(a, b)
         radius = self.radius(a)
         if isinstance(b.mark, LineMark):

@@ -22,6 +22,7 @@ from ..engine import call
 from ..geometry.drawing import Drawing
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables
+from ..geometry.pairs import as_curve, is_pair, is_swapped
 from ..geometry.parameters import Parameters, Reader
 from ..geometry.partners import Partner, touching
 from ..geometry.push import Push
@@ -326,7 +327,7 @@ class SceneDrawing:
 def contact_pushes(sketch: Sketch, name: str, contact: Contact) -> list[Push]:
     """Where a contact acts on its partners as written: once, or for each member of a set."""
     a, b = touching(sketch.drawing, contact.partners, f"contacts.{name}.touch")
-    swapped = a.kind in ("line", "curve", "row") or b.kind == "set"
+    swapped = is_swapped(a, b)
     if swapped:
         a, b = b, a
     members = [a]
@@ -349,6 +350,9 @@ def _written_turn(sketch: Sketch, name: str, contact: Contact, b: Partner) -> fl
 
 def _contact_push(sketch: Sketch, a: Partner, b: Partner, swapped: bool, written: float | None) -> Push:
     places = sketch.touching(a, b, ends=True)
+    if is_pair(a, b):
+        turn = sketch.along_curve(b.owner, as_curve(b), places[1])[1]
+        return Push(places[::-1] if swapped else places, turn)
     center = sketch.of_partner(a, b)
     away = center[0] - places[1][0], center[1] - places[1][1]
     turn = math.atan2(away[1], away[0]) - math.pi / 2

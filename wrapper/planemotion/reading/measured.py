@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..base.errors import Faults, SceneError
 from ..language.dimensions import DIMENSIONLESS, Dimension
-from ..language.units import parse_quantity
 from ..model import words
 from ..model.tabulated import Points
 from .columns import Column, CsvFile, beside
+from .quantities import finite
 
 # Bytes of a file, and rows of a table: far above what is measured by hand, and below what makes a run slow.
 MOST_BYTES = 50_000_000
@@ -75,12 +74,7 @@ def _column(given: Sequence[Any], path: str) -> tuple[list[float], Dimension]:
     first: tuple[Dimension, Any] | None = None
     for i, one in enumerate(given):
         where = f"{path}[{i}]"
-        try:
-            quantity = parse_quantity(one)
-        except SceneError as error:
-            raise SceneError(error.reason, path=where, value=one) from None
-        if not math.isfinite(quantity.value_si):
-            raise SceneError("a finite number is wanted", path=where, value=one)
+        quantity = finite(one, where)
         numbers.append(quantity.value_si)
         if quantity.value_si == 0 and not quantity.unit_text:
             continue

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 from ..base.errors import Faults, SceneError
 from ..language.dimensions import LENGTH
-from ..language.units import parse_quantity
 from ..model import words
 from .columns import CsvFile, beside
+from .quantities import finite
 from .scene import SceneData
 
 MOST_BYTES = 50_000_000
@@ -87,12 +86,7 @@ def _place(written: Any, path: str) -> _PLACE:
 
 
 def _length(written: Any, path: str) -> float:
-    try:
-        quantity = parse_quantity(written)
-    except SceneError as error:
-        raise SceneError(error.reason, path=path, value=written) from None
-    if not math.isfinite(quantity.value_si):
-        raise SceneError("a finite number is wanted", path=path, value=written)
+    quantity = finite(written, path)
     if quantity.dimension != LENGTH and (quantity.value_si != 0 or quantity.unit_text):
         reason = f"a length is wanted; it is {quantity.dimension.phrase}"
         raise SceneError(reason, path=path, value=written)
