@@ -73,6 +73,14 @@ static int check_side(const pm_numbers *numbers, pm_result *result, int table, i
     return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(result, table, row, column, side, 1);
 }
 
+/* A cord is wound about a rim by full turns. */
+static int check_turns(pm_workspace *w, int contact, double turns)
+{
+    return turns >= 0 && turns == floor(turns)
+               ? PM_OK
+               : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_TURNS, turns, 0);
+}
+
 /* A point touches neither a point nor a pattern; points that meet have no radius. */
 static int check_partners(pm_workspace *w, int contact)
 {
@@ -82,6 +90,7 @@ static int check_partners(pm_workspace *w, int contact)
     if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH)
         return check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
                           e[PM_CONTACT_SIDE]);
+    if (pm_contact_has_rim(m, contact)) return check_turns(w, contact, w->numbers.value[e[PM_CONTACT_TURNS]]);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CURVE ||
         pm_contact_measures_itself(m, contact))
         return PM_OK;

@@ -130,7 +130,7 @@ class Gears(Coupling):
         return to.reader.number(self.pressure_angle, f"{path}.pressure_angle", DIMENSIONLESS)
 
     @property
-    def turns(self) -> bool:
+    def acts_by_couple(self) -> bool:
         return self.efficiency is not None or self.friction is not None
 
     def _rub(self, to: Writer, a: Partner, b: Partner, index: int, path: str) -> None:
