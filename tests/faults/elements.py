@@ -478,6 +478,61 @@ FAULTS = [
         "return hypot(r[0], r[1]);",
         "return r[0] + r[1];",
     ),
+    Fault(
+        "cord: a rim grips by the whole wrap",
+        "elements/constraint_cord.c",
+        "return 2 * tanh(0.5 * coefficient * fmax(wrap, 0));",
+        "return 2 * tanh(coefficient * fmax(wrap, 0));",
+    ),
+    Fault(
+        "cord: the friction of a rim pulls with the cord",
+        "elements/constraint_cord.c",
+        "tension[0] = slip ? 0.5 : 1;",
+        "tension[0] = slip ? -0.5 : 1;",
+    ),
+    Fault(
+        "cord: while it slips friction stays as it was",
+        "elements/constraint_cord.c",
+        "c->slide = copysign(",
+        "if (c->slide == 0) c->slide = copysign(",
+    ),
+    Fault(
+        "cord: turns are not wound",
+        "elements/constraint_cord.c",
+        "return wrap + turn * c->turns;",
+        "return wrap;",
+    ),
+    Fault(
+        "cord: it is wrapped on the other side",
+        "elements/constraint_cord.c",
+        "return c->radius_rim < 0 ? direction[0] - direction[1]",
+        "return c->radius_rim > 0 ? direction[0] - direction[1]",
+    ),
+    Fault(
+        "cord: where it holds again its slip is that of before",
+        "elements/constraint_cord.c",
+        "if (anchor_too) memory->slip = -own.g;",
+        "if (anchor_too) memory->slip = 0;",
+    ),
+    Fault(
+        "cord: its second strand does not follow",
+        "elements/constraint_cord.c",
+        "if (anchor_too) memory->slip = -own.g;\n    memory->direction = direction[0];\n"
+        "    memory->behind = direction[1];",
+        "if (anchor_too) memory->slip = -own.g;\n    memory->direction = direction[0];",
+    ),
+    Fault(
+        "cord: second derivatives of the rim are left out",
+        "elements/constraint_bend.c",
+        "static const int place[2][2] = {{0, 2}, {2, 1}};",
+        "static const int place[2][2] = {{0, 1}, {1, 1}};",
+    ),
+    Fault(
+        "contact: a cord slips by the coefficient of its rim",
+        "elements/contact.c",
+        "? grip(frame, contact, given) : given;",
+        "? given : given;",
+    ),
     Fault("joint friction: no reaction", "elements/joint_friction.c", "x->body_b = c.body[1];", ""),
     Fault(
         "measure: velocity of a moving observer",

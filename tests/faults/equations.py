@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "ledger: a cord over a rim pulls by one strand",
+        "equations/ledger.c",
+        "for (int k = 0; k < 2; k++) add_constraint(frame, &strand[k], tension[k] * size, impulse);",
+        "for (int k = 0; k < 1; k++) add_constraint(frame, &strand[k], tension[k] * size, impulse);",
+    ),
+    Fault(
+        "saddle: the third body of a constraint has no part",
+        "equations/saddle.c",
+        "for (int p = 0; p < pm_constraint_bodies(a); p++) {",
+        "for (int p = 0; p < 2; p++) {",
+    ),
+    Fault(
         "curves: the foot of a contact is not followed",
         "equations/active_set.c",
         "follow_members(frame, s);\n    follow_slack",

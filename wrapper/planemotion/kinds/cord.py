@@ -64,9 +64,9 @@ class Cord(Coupling):
 
     def rows(self, to: Writer, path: str) -> CouplingRows:
         stops = [_stop(to, text, f"{path}.cord[{index}]") for index, text in enumerate(self.partners)]
+        frictions = self._frictions(to, [one.kind == "circle" for one, _ in stops[1:-1]], path)
         for (a, _), (b, _) in itertools.pairwise(stops):
             different(a, b)
-        frictions = self._frictions(to, [one.kind == "circle" for one, _ in stops[1:-1]], path)
         key = "length" if self.length is not None else "slack"
         slack = to.tables.value(self._slack(to, [one for one, _ in stops], frictions, path), f"{path}.{key}")
         spans: list[Span] = []
