@@ -149,7 +149,10 @@ enum pm_contact_column {
     PM_CONTACT_RIM = 20,
     PM_CONTACT_SENSE_RIM = 21,
     PM_CONTACT_TURNS = 22,
-    PM_CONTACT_COLUMNS = 23
+    /* flank: value index of how far from where the pitch curves touch its teeth slide on each other, on an average, where
+     * they have friction; or PM_NONE */
+    PM_CONTACT_LEVER = 23,
+    PM_CONTACT_COLUMNS = 24
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */
@@ -241,7 +244,7 @@ enum pm_measure_kind {
     PM_MEASURE_MODE_DAMPING = 51,
     PM_MEASURE_MODES_COUNT = 52,
     PM_MEASURE_MODES_GROWTH = 53,   /* > 0: small motion grows */
-    PM_MEASURE_CONTACT_COUPLE = 54, /* of what is captured as one body; 0 of all else */
+    PM_MEASURE_CONTACT_COUPLE = 54, /* of what is captured as one body, of friction of teeth; 0 of all else */
     /* of a cord over a rim, of its strand number `member`, 0 or 1: what pulls there, and in the last jump */
     PM_MEASURE_CONTACT_TENSION = 55,
     PM_MEASURE_CONTACT_TENSION_IMPULSE = 56,

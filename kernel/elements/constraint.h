@@ -18,10 +18,10 @@ struct pm_constraint {
     double a[2], b[2], rim[2];             /* marks in body axes */
     double radius_a, radius_b, radius_rim; /* signed: see constraint_distance.c, constraint_strand.c */
     double turns;                          /* of a cord about its rim: full turns beyond what is drawn */
-    double value;    /* length, angle, direction of a line in its body, coefficient of a rim */
-    double axis[2];  /* cosine and sine of that direction; of a drive: its axis of the scene */
-    double sign;     /* distance constraints: which way is positive */
-    double ratio;    /* ratio constraints: angle(a) - ratio angle(b) */
+    double value;   /* length, angle, direction of a line in its body, coefficient of a rim, lever of teeth */
+    double axis[2]; /* cosine and sine of that direction; of a drive: its axis of the scene */
+    double sign;    /* distance constraints: which way is positive */
+    double ratio;   /* ratio constraints: angle(a) - ratio angle(b) */
     double teeth[2]; /* of teeth: cosine and sine of their pressure angle */
     int flank;       /* of teeth: 1, -1, or 0: the one that is loaded now (teeth.h) */
     int memory;      /* index of the memory of its anchor, or PM_NONE */
@@ -56,7 +56,8 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_RACK = 13,
     PM_CONSTRAINT_CORD = 14,
     PM_CONSTRAINT_CORD_SLIP = 15,
-    PM_CONSTRAINT_KINDS = 16
+    PM_CONSTRAINT_TEETH_SLIP = 16,
+    PM_CONSTRAINT_KINDS = 17
 };
 
 /* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
@@ -100,7 +101,7 @@ extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
     pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio, pm_constraint_curve_normal,
     pm_constraint_curve_tangent, pm_constraint_teeth, pm_constraint_rack, pm_constraint_cord,
-    pm_constraint_cord_slip;
+    pm_constraint_cord_slip, pm_constraint_teeth_slip;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 

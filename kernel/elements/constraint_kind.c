@@ -21,6 +21,7 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_TEETH] = &pm_constraint_teeth,
         [PM_CONSTRAINT_RACK] = &pm_constraint_rack,
         [PM_CONSTRAINT_CORD] = &pm_constraint_cord,
+        [PM_CONSTRAINT_TEETH_SLIP] = &pm_constraint_teeth_slip,
         [PM_CONSTRAINT_CORD_SLIP] = &pm_constraint_cord_slip,
     };
     return kinds[kind];

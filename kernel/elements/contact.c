@@ -99,6 +99,11 @@ int pm_contact_has_rim(const pm_model *m, int contact)
     return pm_contact_is_cord(m, contact) && PM_CONTACT_ROW(m, contact)[PM_CONTACT_RIM] != PM_NONE;
 }
 
+int pm_contact_rubs(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_LEVER] != PM_NONE;
+}
+
 int pm_contact_has_flank(const pm_model *m, int contact)
 {
     const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
@@ -121,7 +126,9 @@ static double grip(const pm_frame *frame, int contact, double coefficient)
 static double coefficient(const pm_frame *frame, int contact, int column)
 {
     if (pm_contact_friction(frame->model, contact) != PM_FRICTION_COULOMB) return 0;
-    const double given = frame->numbers->value[PM_CONTACT_ROW(frame->model, contact)[column]];
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
+    const double given = frame->numbers->value[e[column]];
+    if (e[PM_CONTACT_LEVER] != PM_NONE && frame->numbers->value[e[PM_CONTACT_LEVER]] == 0) return 0;
     return pm_contact_has_rim(frame->model, contact) ? grip(frame, contact, given) : given;
 }
 

@@ -59,6 +59,8 @@ int pm_contact_is_pattern(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
 /* A cord over a rim that it may slip on.  Its coefficients are those of the cord: friction over mean tension. */
 int pm_contact_has_rim(const pm_model *m, int contact);
+/* A flank with friction: its slip is that of its teeth. */
+int pm_contact_rubs(const pm_model *m, int contact);
 int pm_contact_has_flank(const pm_model *m, int contact);
 /* Its gap counts from the start: a cord, a flank. */
 int pm_contact_measures_itself(const pm_model *m, int contact);

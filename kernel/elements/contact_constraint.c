@@ -116,8 +116,12 @@ void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_
     *tangent = *normal;
     tangent->memory = memory_of(frame->model, normal->slot);
     if (normal->over) tangent->kind = PM_CONSTRAINT_CORD_SLIP;
+    if (normal->teeth[0] > 0 && e[PM_CONTACT_LEVER] != PM_NONE) {
+        tangent->kind = PM_CONSTRAINT_TEETH_SLIP;
+        tangent->value = frame->numbers->value[e[PM_CONTACT_LEVER]];
+    }
     if (normal->over || normal->kind == PM_CONSTRAINT_STRAND || normal->teeth[0] > 0)
-        return; /* nothing acts across a cord or a flank: it is smooth */
+        return; /* nothing else acts across a cord or a flank */
     tangent->kind = normal->kind == PM_CONSTRAINT_LINE_NORMAL    ? PM_CONSTRAINT_LINE_TANGENT
                     : normal->kind == PM_CONSTRAINT_CURVE_NORMAL ? PM_CONSTRAINT_CURVE_TANGENT
                                                                  : PM_CONSTRAINT_CIRCLE_TANGENT;

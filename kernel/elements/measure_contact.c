@@ -193,12 +193,23 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
     }
 }
 
+/* Of a flank with friction. */
+static double couple_of_teeth(const pm_measure_args *x, int slot)
+{
+    pm_constraint normal, tangent;
+    pm_contact_constraint_both(&x->w->frame, x->a, slot, 0, &normal, &tangent);
+    return tangent.value * slot_friction(x->w, slot);
+}
+
 /* At the place where it is held; the angle is its last constraint. */
 double pm_measured_contact_couple(const pm_measure_args *x)
 {
     double sum = 0;
     for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i))
-        if (x->w->state.slot[i].mode == PM_CAPTURED) sum += held_force(x->w, i, PM_JOINT_CONSTRAINTS - 1);
+        if (x->w->state.slot[i].mode == PM_CAPTURED)
+            sum += held_force(x->w, i, PM_JOINT_CONSTRAINTS - 1);
+        else if (pm_contact_rubs(x->w->model, x->a))
+            sum += couple_of_teeth(x, i);
     return side_of(x) * sum;
 }
 

@@ -81,12 +81,16 @@ static int check_turns(pm_workspace *w, int contact, double turns)
                : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_TURNS, turns, 0);
 }
 
-/* A point touches neither a point nor a pattern; points that meet have no radius. */
+/* Flanks that both touch press on each other by nothing that is known: without backlash teeth are a joint.  A point touches
+ * neither a point nor a pattern; points that meet have no radius. */
 static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW(m, contact);
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    if (pm_contact_has_flank(m, contact) && !(w->numbers.value[e[PM_CONTACT_SLACK]] > 0))
+        return out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SLACK,
+                            w->numbers.value[e[PM_CONTACT_SLACK]], 0);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH)
         return check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
                           e[PM_CONTACT_SIDE]);

@@ -82,11 +82,14 @@ static int captures_soundly(const int32_t *e)
 
 static int is_sense(int32_t x) { return x == 1 || x == -1; }
 
-/* A cord over a rim passes that, too, and may have friction there; its blows are those of Newton's law.  Nothing else has a
- * rim, nor has what measures itself any friction. */
-static int has_sound_rim(const pm_model *m, int contact)
+/* A cord over a rim passes that, too, and may have friction there; its blows are those of Newton's law.  A
+ * flank has friction by a lever.  Nothing else that measures itself has any. */
+static int slips_soundly(const pm_model *m, int contact)
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
+    if (e[PM_CONTACT_LEVER] != PM_NONE)
+        return pm_contact_has_flank(m, contact) && e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB &&
+               e[PM_CONTACT_RIM] == PM_NONE;
     if (e[PM_CONTACT_RIM] == PM_NONE)
         return !pm_contact_measures_itself(m, contact) || e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH;
     return pm_contact_is_cord(m, contact) && e[PM_CONTACT_FRICTION] != PM_FRICTION_ROUGH &&
@@ -117,7 +120,7 @@ static int check_contacts(const pm_model *m, pm_where *where)
         const int friction = e[PM_CONTACT_FRICTION];
         if (!captures_soundly(e))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
-        if (!has_sound_rim(m, i)) return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_RIM], PM_NONE);
+        if (!slips_soundly(m, i)) return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_RIM], PM_NONE);
         if (friction == PM_FRICTION_COULOMB && (e[PM_CONTACT_STATIC] < 0 || e[PM_CONTACT_KINETIC] < 0))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)

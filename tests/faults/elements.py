@@ -528,6 +528,24 @@ FAULTS = [
         "static const int place[2][2] = {{0, 1}, {1, 1}};",
     ),
     Fault(
+        "teeth: with backlash friction drives the wheels on",
+        "elements/constraint_teeth.c",
+        "c->j[5] = -c->value;",
+        "c->j[5] = c->value;",
+    ),
+    Fault(
+        "teeth: their friction has no couple",
+        "elements/constraint_teeth.c",
+        "x->couple[0] = c->value;",
+        "x->couple[0] = 0;",
+    ),
+    Fault(
+        "measure: the couple of teeth with backlash is their friction",
+        "elements/measure_contact.c",
+        "return tangent.value * slot_friction(x->w, slot);",
+        "return slot_friction(x->w, slot);",
+    ),
+    Fault(
         "contact: a cord slips by the coefficient of its rim",
         "elements/contact.c",
         "? grip(frame, contact, given) : given;",

@@ -38,8 +38,8 @@ static weights weights_create(int route, double m, double other, int on_disk, do
 
 static int ask_tension(scene *s, int cord, int strand)
 {
-    return scene_ask_measure(s, scene_measure_with(s, PM_MEASURE_CONTACT_TENSION, cord, PM_PART_NONE,
-                                                   PM_MEASURE_MEMBER, strand));
+    return scene_ask_measure(
+        s, scene_measure_with(s, PM_MEASURE_CONTACT_TENSION, cord, PM_PART_NONE, PM_MEASURE_MEMBER, strand));
 }
 
 static void hold_still(weights *x)
@@ -98,6 +98,33 @@ static void on_a_peg(int route, double turns, double share, int on_left)
     scene_free(s);
 }
 
+/* They swing while the cord slips: at the end the tensions stand in the ratio of the wrap that is left then. */
+static void swings(int route)
+{
+    weights x = weights_create(route, light, 4 * heavy, 0, 0);
+    scene *s = x.s;
+    for (int i = 0; i < 2; i++) {
+        scene_start_velocity(s, x.point[i], i ? 0 : -1.5, 0);
+        scene_start_omega(s, x.body[i], 0);
+    }
+    scene_until_time(s, 0.3);
+    const int tension[2] = {ask_tension(s, x.cord, 0), ask_tension(s, x.cord, 1)};
+    int place[4];
+    for (int i = 0; i < 4; i++)
+        place[i] = scene_ask_measure(
+            s, scene_part(s, PM_MEASURE_POSITION, x.point[i / 2], i % 2 ? PM_PART_Y : PM_PART_X));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    double turn[2]; /* from straight down, outwards */
+    for (int i = 0; i < 2; i++) {
+        const double px = (i ? 1 : -1) * s->out[place[2 * i]], py = s->out[place[2 * i + 1]];
+        turn[i] = atan2(px, -py) - asin(radius / hypot(px, py));
+    }
+    const double wrap = PI - turn[0] - turn[1];
+    CHECK(fabs(wrap - PI) > 0.05);
+    NEAR(log(s->out[tension[1]] / s->out[tension[0]]), mu_kinetic * wrap, 1e-9);
+    scene_free(s);
+}
+
 /* A weight that falls jerks the other one up: the impulses, too, stand in the ratio of the capstan. */
 static void jerk(void)
 {
@@ -143,6 +170,7 @@ int main(void)
     for (int i = 0; i < 3; i++) {
         slows_down(routes[i], 12);
         slows_down(routes[i], -9);
+        swings(routes[i]);
         for (int left = 0; left < 2; left++) {
             on_a_peg(routes[i], 0, 0.999, left);
             on_a_peg(routes[i], 0, 1.001, left);

@@ -160,7 +160,7 @@ WHEELS = [
     OnWheel(wheel=1, w0=60, static=0.25, kinetic=0.25),
     OnWheel(m=2, M=2.2, couple=0.5, static=0.35, kinetic=0.1),
     *(
-        OnWheel(*map(float, rng.uniform((0.5, 0.5, 0.5, -30, -3), (3, 3, 5, 30, 3))), 0.3, 0.25)
+        OnWheel(*rng.uniform((0.5, 0.5, 0.5, -30, -3), (3, 3, 5, 30, 3)).tolist(), static=0.3, kinetic=0.25)
         for rng in map(np.random.default_rng, range(6))
     ),
 ]
@@ -243,7 +243,7 @@ class Swing:
             one = sum(needed) / (1 / self.m + factor / self.M)
             other = factor * one
         a = np.concatenate([g + one / self.m * u1, g + other / self.M * u2])
-        return a, one, other, wrap, (u1 @ y[4:6] - u2 @ y[6:]) / 2
+        return a, float(one), float(other), wrap, float(u1 @ y[4:6] - u2 @ y[6:]) / 2
 
     def holds_or(self, y: Vector) -> int:
         _, one, other, wrap, _ = self.look(y, 0)
@@ -262,10 +262,9 @@ class Swing:
             )  # fmt: skip
             t, y, pieces = solved.t[-1], solved.y[:, -1], pieces + 1
             last, sense = sense, self.holds_or(y) if sense else 1 if len(solved.t_events[0]) else -1
-        _, one, other, _, slip = self.look(y, last)
-        return dict(
-            zip(("T1", "T2", "slip", "ax", "ay", "bx", "by"), (one, other, slip, *y[:4]), strict=True)
-        ), pieces
+        _, *tensions, _, slip = self.look(y, last)
+        asked = ("T1", "T2", "slip", "ax", "ay", "bx", "by")
+        return dict(zip(asked, (*tensions, slip, *map(float, y[:4])), strict=True)), pieces
 
     def ends(self, sense: int) -> list[Callable[[float, Vector], float]]:
         def room(way: int) -> Callable[[float, Vector], float]:

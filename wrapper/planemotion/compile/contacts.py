@@ -198,6 +198,7 @@ class Contacts:
             layout.PM_CONTACT_RIM: layout.PM_NONE,
             layout.PM_CONTACT_SENSE_RIM: layout.PM_NONE,
             layout.PM_CONTACT_TURNS: layout.PM_NONE,
+            layout.PM_CONTACT_LEVER: layout.PM_NONE,
         }
 
     def _stiffness(self, contact: Contact, path: str) -> int:

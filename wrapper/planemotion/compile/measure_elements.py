@@ -124,6 +124,8 @@ class ElementMeasures:
         if source.vector:
             return self._of_strands(address, cord, source)
         self.rows.ends(address, 1)
+        if source.on:
+            return self._couple_of_flanks(address, cord, source)
         self.rows.plain(address, ())
         if source.of_rims:
             return self._of_rim(address, cord, source)
@@ -133,6 +135,13 @@ class ElementMeasures:
         else:
             leaf = self.rows.leaf(_of_strand(source), span.index, address, part=source.part)
         return Reading(leaf, source.dimension)
+
+    def _couple_of_flanks(self, address: Address, gears: CouplingInfo, source: Quantity) -> Reading:
+        """The couple of the friction of teeth, whichever flank pushes."""
+        self.rows.plain(address, ("on",))
+        on = self.rows.on(address, gears.bodies)
+        leaves = [self.rows.leaf(_of_strand(source), index, address, on=on) for index in gears.indices]
+        return Reading(sum(leaves[1:], leaves[0]), source.dimension)
 
     def _of_rim(self, address: Address, cord: CouplingInfo, source: Quantity) -> Reading:
         """A quantity of a rim that a cord may slip on; of several, in their order."""
