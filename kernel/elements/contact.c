@@ -99,11 +99,6 @@ int pm_contact_has_rim(const pm_model *m, int contact)
     return pm_contact_is_cord(m, contact) && PM_CONTACT_ROW(m, contact)[PM_CONTACT_RIM] != PM_NONE;
 }
 
-int pm_contact_rubs(const pm_model *m, int contact)
-{
-    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_LEVER] != PM_NONE;
-}
-
 int pm_contact_has_flank(const pm_model *m, int contact)
 {
     const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
@@ -116,20 +111,17 @@ int pm_contact_measures_itself(const pm_model *m, int contact)
 }
 
 /* Of a rim as the tensions of its cord have it. */
-static double grip(const pm_frame *frame, int contact, double coefficient)
-{
-    pm_constraint c;
-    pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], 0, &c);
-    return pm_constraint_cord_grip(coefficient, pm_constraint_cord_wrap(frame, &c));
-}
-
 static double coefficient(const pm_frame *frame, int contact, int column)
 {
-    if (pm_contact_friction(frame->model, contact) != PM_FRICTION_COULOMB) return 0;
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
+    const int lever = e[PM_CONTACT_LEVER];
+    if (e[PM_CONTACT_FRICTION] != PM_FRICTION_COULOMB) return 0;
+    if (lever != PM_NONE && frame->numbers->value[lever] == 0) return 0;
     const double given = frame->numbers->value[e[column]];
-    if (e[PM_CONTACT_LEVER] != PM_NONE && frame->numbers->value[e[PM_CONTACT_LEVER]] == 0) return 0;
-    return pm_contact_has_rim(frame->model, contact) ? grip(frame, contact, given) : given;
+    if (!pm_contact_has_rim(frame->model, contact)) return given;
+    pm_constraint c;
+    pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], 0, &c);
+    return pm_constraint_cord_grip(given, pm_constraint_cord_wrap(frame, &c));
 }
 
 double pm_contact_static(const pm_frame *frame, int contact)

@@ -548,8 +548,8 @@ FAULTS = [
     Fault(
         "contact: a cord slips by the coefficient of its rim",
         "elements/contact.c",
-        "? grip(frame, contact, given) : given;",
-        "? given : given;",
+        "return pm_constraint_cord_grip(given, pm_constraint_cord_wrap(frame, &c));",
+        "return given;",
     ),
     Fault("joint friction: no reaction", "elements/joint_friction.c", "x->body_b = c.body[1];", ""),
     Fault(

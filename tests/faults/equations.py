@@ -272,7 +272,7 @@ FAULTS = [
     Fault(
         "saddle: coupling of the second partner",
         "equations/saddle.c",
-        "for (int r = 0; r < 2; r++)",
+        "for (int r = 0; r < pm_constraint_bodies(b); r++)",
         "for (int r = 0; r < 1; r++)",
     ),
     Fault(
@@ -306,7 +306,7 @@ FAULTS = [
         "memcmp(r->q, r->q,",
     ),
     Fault("recall: factors of other rows", "equations/saddle.c", "if (x->j[k] != c->j[k]) return 0;", ";"),
-    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[1] != c->body[1]", "0"),
+    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[p] != c->body[p]", "0"),
     Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
     Fault(
         "start: open motions pass",

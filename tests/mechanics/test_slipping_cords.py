@@ -160,8 +160,10 @@ WHEELS = [
     OnWheel(wheel=1, w0=60, static=0.25, kinetic=0.25),
     OnWheel(m=2, M=2.2, couple=0.5, static=0.35, kinetic=0.1),
     *(
-        OnWheel(*rng.uniform((0.5, 0.5, 0.5, -30, -3), (3, 3, 5, 30, 3)).tolist(), static=0.3, kinetic=0.25)
-        for rng in map(np.random.default_rng, range(6))
+        OnWheel(m, M, wheel, w0, couple, 0.3, 0.25)
+        for m, M, wheel, w0, couple in np.random.default_rng(1)
+        .uniform((0.5, 0.5, 0.5, -30, -3), (3, 3, 5, 30, 3), (6, 5))
+        .tolist()
     ),
 ]
 
@@ -260,11 +262,11 @@ class Swing:
                 lambda _, x, s=sense: np.concatenate([x[4:], self.look(x, s)[0]]),
                 (t, self.time), y, method="DOP853", rtol=2e-13, atol=1e-14, events=self.ends(sense),
             )  # fmt: skip
-            t, y, pieces = solved.t[-1], solved.y[:, -1], pieces + 1
+            t, y, pieces = float(solved.t[-1]), solved.y[:, -1], pieces + 1
             last, sense = sense, self.holds_or(y) if sense else 1 if len(solved.t_events[0]) else -1
-        _, *tensions, _, slip = self.look(y, last)
+        _, one, other, _wrap, end = self.look(y, last)
         asked = ("T1", "T2", "slip", "ax", "ay", "bx", "by")
-        return dict(zip(asked, (*tensions, slip, *map(float, y[:4])), strict=True)), pieces
+        return dict(zip(asked, (one, other, end, *map(float, y[:4])), strict=True)), pieces
 
     def ends(self, sense: int) -> list[Callable[[float, Vector], float]]:
         def room(way: int) -> Callable[[float, Vector], float]:
