@@ -271,7 +271,7 @@ class Swing:
     def ends(self, sense: int) -> list[Callable[[float, Vector], float]]:
         def room(way: int) -> Callable[[float, Vector], float]:
             def left(_: float, x: Vector) -> float:
-                _, one, other, wrap, _ = self.look(x, 0)
+                one, other, wrap = self.look(x, 0)[1:4]
                 most = math.exp(self.static * wrap)
                 return most * one - other if way > 0 else most * other - one
 
