@@ -148,7 +148,15 @@ enum pm_contact_column {
      * Stronge's law; or PM_NONE */
     PM_CONTACT_STIFFNESS = 18,
     PM_CONTACT_PRESSURE = 19, /* value index of the pressure angle of a flank; or PM_NONE */
-    PM_CONTACT_COLUMNS = 20
+    /* cord: circle that it lies on between a and b and may slip on, by its friction; or PM_NONE: one strand.  Then the
+     * sense in which it passes that, and the value index of the full turns that it is wound beyond what is drawn */
+    PM_CONTACT_RIM = 20,
+    PM_CONTACT_SENSE_RIM = 21,
+    PM_CONTACT_TURNS = 22,
+    /* flank: value index of how far from where the pitch curves touch its teeth slide on each other, on an average, where
+     * they have friction; or PM_NONE */
+    PM_CONTACT_LEVER = 23,
+    PM_CONTACT_COLUMNS = 24
 };
 
 /* ---- forces --------------------------------------------------------------------------------------------- */
@@ -240,8 +248,11 @@ enum pm_measure_kind {
     PM_MEASURE_MODE_DAMPING = 51,
     PM_MEASURE_MODES_COUNT = 52,
     PM_MEASURE_MODES_GROWTH = 53,   /* > 0: small motion grows */
-    PM_MEASURE_CONTACT_COUPLE = 54, /* of what is captured as one body; 0 of all else */
-    PM_MEASURE_KINDS = 55
+    PM_MEASURE_CONTACT_COUPLE = 54, /* of what is captured as one body, of friction of teeth; 0 of all else */
+    /* of a cord over a rim, of its strand number `member`, 0 or 1: what pulls there, and in the last jump */
+    PM_MEASURE_CONTACT_TENSION = 55,
+    PM_MEASURE_CONTACT_TENSION_IMPULSE = 56,
+    PM_MEASURE_KINDS = 57
 };
 enum pm_part {
     PM_PART_NONE = 0,

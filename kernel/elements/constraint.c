@@ -27,7 +27,7 @@ pm_constraint_reach pm_constraint_reach_of(const pm_constraint *c, const pm_mark
 double pm_constraint_square(const pm_frame *frame, const pm_constraint *c)
 {
     double sum = 0;
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         for (int k = 0; k < 3 && c->body[p] != frame->model->nbody; k++)
             sum += c->j[3 * p + k] * c->j[3 * p + k] * frame->numbers->inverse_mass[3 * c->body[p] + k];
     return sum;

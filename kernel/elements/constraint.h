@@ -7,32 +7,37 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
+#define PM_CONSTRAINT_BODIES 3 /* most that one constraint holds */
+#define PM_CONSTRAINT_COORDINATES (3 * PM_CONSTRAINT_BODIES)
+
 /* One scalar constraint of the active set; which formula is constraint.c's table of kinds. */
 struct pm_constraint {
-    int kind;                  /* enum pm_constraint_kind */
-    int body[2];               /* body index, or nbody for the ground */
-    double a[2], b[2];         /* marks in body axes */
-    double radius_a, radius_b; /* signed: see constraint_distance.c, constraint_strand.c */
-    double value;              /* length, angle, or direction of a line in its body */
-    double axis[2];            /* cosine and sine of that direction; of a drive: its axis of the scene */
-    double sign;               /* distance constraints: which way is positive */
-    double ratio;              /* ratio constraints: angle(a) - ratio angle(b) */
-    double teeth[2];           /* of teeth: cosine and sine of their pressure angle */
-    int flank;                 /* of teeth: 1, -1, or 0: the one that is loaded now (teeth.h) */
-    int memory;                /* index of the memory of its anchor, or PM_NONE */
-    int curve, foot;           /* of constraints on curves: which, and the memory of its foot; or PM_NONE */
-    int other;                 /* of two curves that touch: the first of them; else PM_NONE */
-    double near[2];            /* without that memory: s of places near the feet, on `curve` and on `other` */
-    int joint, slot;           /* owner: one of both is PM_NONE */
+    int kind;                              /* enum pm_constraint_kind */
+    int body[PM_CONSTRAINT_BODIES];        /* body index, or nbody for the ground */
+    int over;                              /* 1: of a cord over the rim of body[2]; 0: it has two bodies */
+    double a[2], b[2], rim[2];             /* marks in body axes */
+    double radius_a, radius_b, radius_rim; /* signed: see constraint_distance.c, constraint_strand.c */
+    double turns;                          /* of a cord about its rim: full turns beyond what is drawn */
+    double value;   /* length, angle, direction of a line in its body, coefficient of a rim, lever of teeth */
+    double axis[2]; /* cosine and sine of that direction; of a drive: its axis of the scene */
+    double sign;    /* distance constraints: which way is positive */
+    double ratio;   /* ratio constraints: angle(a) - ratio angle(b) */
+    double teeth[2]; /* of teeth: cosine and sine of their pressure angle */
+    int flank;       /* of teeth: 1, -1, or 0: the one that is loaded now (teeth.h) */
+    int memory;      /* index of the memory of its anchor, or PM_NONE */
+    int curve, foot; /* of constraints on curves: which, and the memory of its foot; or PM_NONE */
+    int other;       /* of two curves that touch: the first of them; else PM_NONE */
+    double near[2];  /* without that memory: s of places near the feet, on `curve` and on `other` */
+    int joint, slot; /* owner: one of both is PM_NONE */
     int normal; /* sliding constraints and friction: index of the active constraint of its normal, else PM_NONE */
-    double slide;   /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
-    double j[6];    /* Jacobian on (x, y, angle) of body[0] and body[1], at the frame's state */
-    double h[6];    /* direction of the force: j, but for sliding contacts */
-    double g;       /* residual, m or rad */
-    int drive;      /* program of what is prescribed, or PM_NONE */
-    int prescribes; /* enum pm_prescribes */
-    double rate;    /* prescribed at the frame: G v = rate */
-    double gamma;   /* -(dG/dt) v */
+    double slide; /* normal constraint of a sliding contact: -mu sgn(slip) rides on it; else 0 */
+    double j[PM_CONSTRAINT_COORDINATES]; /* Jacobian on (x, y, angle) of its bodies, at the frame's state */
+    double h[PM_CONSTRAINT_COORDINATES]; /* direction of the force: j, but for sliding contacts */
+    double g;                            /* residual, m or rad */
+    int drive;                           /* program of what is prescribed, or PM_NONE */
+    int prescribes;                      /* enum pm_prescribes */
+    double rate;                         /* prescribed at the frame: G v = rate */
+    double gamma;                        /* -(dG/dt) v */
 };
 
 enum pm_constraint_kind {
@@ -52,7 +57,10 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_RACK = 13,
     PM_CONSTRAINT_PAIR_NORMAL = 14,
     PM_CONSTRAINT_PAIR_TANGENT = 15,
-    PM_CONSTRAINT_KINDS = 16
+    PM_CONSTRAINT_CORD = 16,
+    PM_CONSTRAINT_CORD_SLIP = 17,
+    PM_CONSTRAINT_TEETH_SLIP = 18,
+    PM_CONSTRAINT_KINDS = 19
 };
 
 /* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
@@ -88,14 +96,15 @@ typedef struct pm_constraint_ops {
     int (*steady)(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x);
     void (*bound)(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x);
-    void (*bend)(const pm_frame *frame, const pm_constraint *c, double out[6][6]);
+    void (*bend)(const pm_frame *frame, const pm_constraint *c,
+                 double out[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES]);
 } pm_constraint_ops;
 
 extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_constraint_line_normal,
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
     pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio, pm_constraint_curve_normal,
     pm_constraint_curve_tangent, pm_constraint_teeth, pm_constraint_rack, pm_constraint_pair_normal,
-    pm_constraint_pair_tangent;
+    pm_constraint_pair_tangent, pm_constraint_cord, pm_constraint_cord_slip, pm_constraint_teeth_slip;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 
@@ -116,11 +125,14 @@ void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_
 void pm_contact_constraint_both(const pm_frame *frame, int contact, int slot, int member,
                                 pm_constraint *normal, pm_constraint *tangent);
 
-/* Whether its two bodies act on each other and on nothing else. */
+/* How many bodies it holds, the ground among them. */
+static inline int pm_constraint_bodies(const pm_constraint *c) { return 2 + c->over; }
+
+/* Whether its bodies act on each other and on nothing else. */
 static inline int pm_constraint_is_inner(const pm_numbers *numbers, const pm_constraint *c)
 {
     const unsigned char *fixed = numbers->fixed;
-    return !fixed[c->body[0]] && !fixed[c->body[1]] && c->ratio == 1;
+    return !fixed[c->body[0]] && !fixed[c->body[1]] && !(c->over && fixed[c->body[2]]) && c->ratio == 1;
 }
 
 /* Its residual is an angle. */
@@ -129,9 +141,9 @@ static inline int pm_constraint_is_angle(const pm_constraint *c)
     return c->kind == PM_CONSTRAINT_ANGLE || c->kind == PM_CONSTRAINT_RATIO;
 }
 
-/* j x on the two bodies of a constraint; x[nq]: velocities, accelerations, a direction. */
-static inline double pm_constraint_jacobian_times(const pm_frame *frame, const int body[2], const double j[6],
-                                                  const double *x)
+/* j x on two bodies; x[nq]: velocities, accelerations, a direction. */
+static inline double pm_constraint_pair_times(const pm_frame *frame, const int *body, const double *j,
+                                              const double *x)
 {
     const int ground = frame->model->nbody;
     double sum = 0;
@@ -142,10 +154,19 @@ static inline double pm_constraint_jacobian_times(const pm_frame *frame, const i
     }
     return sum;
 }
+/* j x on all bodies of a constraint. */
+static inline double pm_constraint_jacobian_times(const pm_frame *frame, const pm_constraint *c,
+                                                  const double *j, const double *x)
+{
+    const double sum = pm_constraint_pair_times(frame, c->body, j, x);
+    if (!c->over || c->body[2] == frame->model->nbody) return sum;
+    const double *y = x + 3 * c->body[2];
+    return sum + j[6] * y[0] + j[7] * y[1] + j[8] * y[2];
+}
 /* The same of a constraint that is evaluated. */
 static inline double pm_constraint_times(const pm_frame *frame, const pm_constraint *c, const double *x)
 {
-    return pm_constraint_jacobian_times(frame, c->body, c->j, x);
+    return pm_constraint_jacobian_times(frame, c, c->j, x);
 }
 /* j M^-1 j^T of an evaluated constraint: a reaction l moves the scene like l sqrt(this) in the metric of M. */
 double pm_constraint_square(const pm_frame *frame, const pm_constraint *c);
@@ -154,14 +175,17 @@ double pm_constraint_square(const pm_frame *frame, const pm_constraint *c);
 double pm_constraint_openings(const pm_constraint *c, int n, const int *which, double *off);
 double pm_constraint_slips(const pm_frame *frame, const pm_constraint *c, int n, const int *which,
                            const double *v, double *off);
-/* Second derivatives of a constraint by (x, y, angle) of its two bodies, which are those of its Jacobian: symmetric.  The
+/* Second derivatives of a constraint by (x, y, angle) of its bodies, which are those of its Jacobian: symmetric.  The
  * frame is as it was afterwards. */
-void pm_constraint_bend(pm_frame *frame, const pm_constraint *c, double bend[6][6]);
+void pm_constraint_bend(pm_frame *frame, const pm_constraint *c,
+                        double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES]);
 /* out = bend v: how its rate changes with positions at the velocities v[nq]. */
-void pm_constraint_bend_along(const pm_frame *frame, const pm_constraint *c, double bend[6][6],
-                              const double *v, double out[6]);
+void pm_constraint_bend_along(const pm_frame *frame, const pm_constraint *c,
+                              double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES],
+                              const double *v, double out[PM_CONSTRAINT_COORDINATES]);
 /* That of a constraint which is linear in positions. */
-void pm_constraint_straight(const pm_frame *frame, const pm_constraint *c, double bend[6][6]);
+void pm_constraint_straight(const pm_frame *frame, const pm_constraint *c,
+                            double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES]);
 /* All active constraints keep their Jacobian along the curve. */
 int pm_constraint_all_steady(const pm_frame *frame, const pm_active_set *active, const pm_constant_motion *x);
 /* Rate of a constraint from the geometry of its line of action (equals j v). */
@@ -247,6 +271,19 @@ void pm_constraint_curve_go_on(const pm_frame *frame, const pm_constraint *c, do
 /* A strand from circle a to circle b; which way round each it goes is the sign of its radius. */
 void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, int b, double sense_a,
                                 double sense_b);
+/* A cord from circle a over a rim to circle b, with the senses in which it passes them. */
+void pm_constraint_marks_cord(const pm_frame *frame, pm_constraint *c, const int circle[3],
+                              const int32_t sense[3]);
+/* Its strands, from a to the rim and from there to b: each is a constraint of its own. */
+void pm_constraint_cord_strands(const pm_constraint *c, pm_constraint strand[2]);
+/* What a unit reaction of it is as the tensions of the two. */
+void pm_constraint_cord_tensions(const pm_constraint *c, double tension[2]);
+/* The angle along which the rim is wrapped, counted on past full turns. */
+double pm_constraint_cord_wrap(const pm_frame *frame, const pm_constraint *c);
+/* The greatest friction of a rim over the mean tension of the cord. */
+double pm_constraint_cord_grip(double coefficient, double wrap);
+/* As evaluate of a strand, but for its anchor: the direction next to `reference` is left in *direction. */
+void pm_constraint_strand_look(const pm_frame *frame, pm_constraint *c, double reference, double *direction);
 void pm_constraint_marks_pressure(pm_constraint *c, double angle);
 /* A circle and member 0 of a pattern. */
 void pm_constraint_marks_pattern(const pm_frame *frame, pm_constraint *c, int circle, int of);

@@ -8,6 +8,8 @@
  * and their two angles. */
 #include "elements/constraint.h"
 
+#include <string.h>
+
 enum { X = 0, Y = 1, ANGLE_A = 2, ANGLE_B = 3, COORDINATES = 4 };
 
 /* Velocities of its two bodies at which coordinates i and k change, by the scene's size (an angle by 1) a second. */
@@ -56,7 +58,8 @@ static void by_coordinates(pm_frame *frame, const pm_constraint *c, double k[COO
         }
 }
 
-static void from_velocities(pm_frame *frame, const pm_constraint *c, double bend[6][6])
+static void from_velocities(pm_frame *frame, const pm_constraint *c,
+                            double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES])
 {
     static const int of[6] = {X, Y, ANGLE_A, X, Y, ANGLE_B};
     double k[COORDINATES][COORDINATES], kept[6];
@@ -72,25 +75,48 @@ static void from_velocities(pm_frame *frame, const pm_constraint *c, double bend
         }
 }
 
-void pm_constraint_straight(const pm_frame *frame, const pm_constraint *c, double bend[6][6])
+void pm_constraint_straight(const pm_frame *frame, const pm_constraint *c,
+                            double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES])
 {
     (void)frame;
     (void)c;
     (void)bend;
 }
 
-void pm_constraint_bend(pm_frame *frame, const pm_constraint *c, double bend[6][6])
+/* Of a cord over a rim: those of its strands, which share the body of the rim. */
+static void of_strands(pm_frame *frame, const pm_constraint *c,
+                       double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES])
+{
+    static const int place[2][2] = {{0, 2}, {2, 1}};
+    double of[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], share[2];
+    pm_constraint strand[2];
+    pm_constraint_cord_strands(c, strand);
+    pm_constraint_cord_tensions(c, share);
+    for (int n = 0; n < 2; n++) {
+        from_velocities(frame, &strand[n], of);
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < 6; k++)
+                bend[3 * place[n][i / 3] + i % 3][3 * place[n][k / 3] + k % 3] += share[n] * of[i][k];
+    }
+}
+
+void pm_constraint_bend(pm_frame *frame, const pm_constraint *c,
+                        double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES])
 {
     const pm_constraint_ops *ops = pm_constraint_kind(c->kind);
-    for (int i = 0; i < 36; i++) bend[i / 6][i % 6] = 0;
-    if (ops->bend)
+    memset(bend, 0, sizeof(double[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES]));
+    if (c->over)
+        of_strands(frame, c, bend);
+    else if (ops->bend)
         ops->bend(frame, c, bend);
     else
         from_velocities(frame, c, bend);
 }
 
-void pm_constraint_bend_along(const pm_frame *frame, const pm_constraint *c, double bend[6][6],
-                              const double *v, double out[6])
+void pm_constraint_bend_along(const pm_frame *frame, const pm_constraint *c,
+                              double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES],
+                              const double *v, double out[PM_CONSTRAINT_COORDINATES])
 {
-    for (int i = 0; i < 6; i++) out[i] = pm_constraint_jacobian_times(frame, c->body, bend[i], v);
+    for (int i = 0; i < 3 * pm_constraint_bodies(c); i++)
+        out[i] = pm_constraint_jacobian_times(frame, c, bend[i], v);
 }

@@ -37,7 +37,7 @@ static double gap(const pm_frame *frame, const pm_constraint *c, double *rate)
         const double n[2] = {x.d[0] / distance, x.d[1] / distance};
         double j[6];
         pm_constraint_along(j, &x, n, c->sign);
-        *rate = pm_constraint_jacobian_times(frame, c->body, j, frame->v);
+        *rate = pm_constraint_pair_times(frame, c->body, j, frame->v);
     }
     return c->sign * (distance - c->value);
 }

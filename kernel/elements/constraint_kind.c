@@ -22,13 +22,28 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_RACK] = &pm_constraint_rack,
         [PM_CONSTRAINT_PAIR_NORMAL] = &pm_constraint_pair_normal,
         [PM_CONSTRAINT_PAIR_TANGENT] = &pm_constraint_pair_tangent,
+        [PM_CONSTRAINT_CORD] = &pm_constraint_cord,
+        [PM_CONSTRAINT_TEETH_SLIP] = &pm_constraint_teeth_slip,
+        [PM_CONSTRAINT_CORD_SLIP] = &pm_constraint_cord_slip,
     };
     return kinds[kind];
+}
+
+/* By the lines of its strands. */
+static double rate_of_cord(const pm_frame *frame, const pm_constraint *c)
+{
+    pm_constraint strand[2];
+    double tension[2];
+    pm_constraint_cord_strands(c, strand);
+    pm_constraint_cord_tensions(c, tension);
+    return tension[0] * pm_constraint_rate(frame, &strand[0]) +
+           tension[1] * pm_constraint_rate(frame, &strand[1]);
 }
 
 double pm_constraint_rate(const pm_frame *frame, const pm_constraint *c)
 {
     pm_line_of_action x;
+    if (c->over) return rate_of_cord(frame, c);
     pm_constraint_kind(c->kind)->act(frame, c, &x);
     double u[2];
     const double *va = frame->velocity + 3 * c->body[0], *vb = frame->velocity + 3 * c->body[1];

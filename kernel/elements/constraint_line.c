@@ -44,7 +44,7 @@ static double gap(const pm_frame *frame, const pm_constraint *c, double *rate)
         double j[6];
         pm_constraint_along(j, &x, l.n, 1);
         j[5] -= pm_dot(x.d, l.t);
-        *rate = pm_constraint_jacobian_times(frame, c->body, j, frame->v);
+        *rate = pm_constraint_pair_times(frame, c->body, j, frame->v);
     }
     return pm_dot(x.d, l.n) - c->radius_a;
 }

@@ -94,6 +94,17 @@ void pm_constraint_marks_strand(const pm_frame *frame, pm_constraint *c, int a, 
     c->radius_b = sense_b * frame->numbers->value[eb[PM_CIRCLE_RADIUS]];
 }
 
+void pm_constraint_marks_cord(const pm_frame *frame, pm_constraint *c, const int circle[3],
+                              const int32_t sense[3])
+{
+    const int32_t *rim = PM_CIRCLE_ROW(frame->model, circle[2]);
+    pm_constraint_marks_strand(frame, c, circle[0], circle[1], sense[0], sense[1]);
+    mark(frame, rim[PM_CIRCLE_POINT], &c->body[2], c->rim);
+    c->kind = PM_CONSTRAINT_CORD;
+    c->over = 1;
+    c->radius_rim = sense[2] * frame->numbers->value[rim[PM_CIRCLE_RADIUS]];
+}
+
 void pm_constraint_marks_pressure(pm_constraint *c, double angle)
 {
     c->teeth[0] = cos(angle);

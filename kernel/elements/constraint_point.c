@@ -51,7 +51,8 @@ static void act_y(const pm_frame *frame, const pm_constraint *c, pm_line_of_acti
     act(frame, c, x, axis_y);
 }
 
-static void bend(const pm_frame *frame, const pm_constraint *c, double out[6][6], int k)
+static void bend(const pm_frame *frame, const pm_constraint *c,
+                 double out[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], int k)
 {
     double a[2], b[2];
     lever_of(frame, c->body[0], c->a, a);
@@ -60,11 +61,13 @@ static void bend(const pm_frame *frame, const pm_constraint *c, double out[6][6]
     out[5][5] = b[k];
 }
 
-static void bend_x(const pm_frame *frame, const pm_constraint *c, double out[6][6])
+static void bend_x(const pm_frame *frame, const pm_constraint *c,
+                   double out[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES])
 {
     bend(frame, c, out, 0);
 }
-static void bend_y(const pm_frame *frame, const pm_constraint *c, double out[6][6])
+static void bend_y(const pm_frame *frame, const pm_constraint *c,
+                   double out[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES])
 {
     bend(frame, c, out, 1);
 }

@@ -55,17 +55,25 @@ static pm_strand look(const pm_frame *frame, const pm_constraint *c, pm_marks *m
     return strand_of(c, d);
 }
 
-static void evaluate(const pm_frame *frame, pm_constraint *c)
+void pm_constraint_strand_look(const pm_frame *frame, pm_constraint *c, double reference, double *direction)
 {
     pm_marks y;
     const pm_strand x = look(frame, c, &y);
-    const pm_memory *memory = &frame->memory[c->memory];
     const double across = pm_dot(y.u, x.n);
+    *direction = unwrapped(x.direction, reference);
     pm_constraint_along(c->j, &y, x.u, 1);
     c->j[2] += c->radius_a;
     c->j[5] -= c->radius_b;
-    c->g = memory->anchor + paid_out(frame, c, &x, unwrapped(x.direction, memory->direction));
+    c->g = paid_out(frame, c, &x, *direction);
     c->gamma = across * across / x.length - pm_dot(x.u, y.quad);
+}
+
+static void evaluate(const pm_frame *frame, pm_constraint *c)
+{
+    const pm_memory *memory = &frame->memory[c->memory];
+    double direction;
+    pm_constraint_strand_look(frame, c, memory->direction, &direction);
+    c->g += memory->anchor;
 }
 
 static void remember(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)

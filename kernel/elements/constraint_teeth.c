@@ -115,6 +115,48 @@ static void bound_rack(const pm_frame *frame, const pm_constraint *c, const doub
     x->exact = 0;
 }
 
+/* ---- how teeth slide on each other ---- */
+/* As the wheels turn against each other they slide at a lever from where the pitch curves touch: r (angle_a - angle_b).  Friction
+ * is a couple between the wheels. */
+static double angle_between(const pm_frame *frame, const pm_constraint *c)
+{
+    return frame->pose[5 * c->body[0] + 2] - frame->pose[5 * c->body[1] + 2];
+}
+
+static void evaluate_slip(const pm_frame *frame, pm_constraint *c)
+{
+    for (int k = 0; k < PM_CONSTRAINT_COORDINATES; k++) c->j[k] = 0;
+    c->j[2] = c->value;
+    c->j[5] = -c->value;
+    c->g = c->value * angle_between(frame, c) - frame->memory[c->memory].slip;
+    c->gamma = 0;
+}
+
+static void act_slip(const pm_frame *frame, const pm_constraint *c, pm_line_of_action *x)
+{
+    for (int k = 0; k < 2; k++) {
+        x->at[k] = frame->pose[5 * c->body[0] + k];
+        x->direction[k] = 0;
+    }
+    x->couple[0] = c->value;
+    x->couple[1] = -c->value;
+}
+
+static void remember_slip(const pm_frame *frame, const pm_constraint *c, pm_memory *memory, int anchor_too)
+{
+    if (anchor_too) memory->slip = c->value * angle_between(frame, c);
+}
+
+static int steady_slip(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x)
+{
+    (void)frame;
+    (void)c;
+    (void)x;
+    return 1;
+}
+
+const pm_constraint_ops pm_constraint_teeth_slip = {
+    .evaluate = evaluate_slip, .act = act_slip, .remember = remember_slip, .steady = steady_slip};
 const pm_constraint_ops pm_constraint_teeth = {.evaluate = evaluate_wheels,
                                                .act = act_wheels,
                                                .remember = remember_wheels,

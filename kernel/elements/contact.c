@@ -94,6 +94,11 @@ int pm_contact_is_cord(const pm_model *m, int contact)
     return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_CORD;
 }
 
+int pm_contact_has_rim(const pm_model *m, int contact)
+{
+    return pm_contact_is_cord(m, contact) && PM_CONTACT_ROW(m, contact)[PM_CONTACT_RIM] != PM_NONE;
+}
+
 int pm_contact_has_flank(const pm_model *m, int contact)
 {
     const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
@@ -105,11 +110,18 @@ int pm_contact_measures_itself(const pm_model *m, int contact)
     return pm_contact_is_cord(m, contact) || pm_contact_has_flank(m, contact);
 }
 
+/* Of a rim as the tensions of its cord have it. */
 static double coefficient(const pm_frame *frame, int contact, int column)
 {
-    return pm_contact_friction(frame->model, contact) == PM_FRICTION_COULOMB
-               ? frame->numbers->value[PM_CONTACT_ROW(frame->model, contact)[column]]
-               : 0;
+    const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
+    const int lever = e[PM_CONTACT_LEVER];
+    if (e[PM_CONTACT_FRICTION] != PM_FRICTION_COULOMB) return 0;
+    if (lever != PM_NONE && frame->numbers->value[lever] == 0) return 0;
+    const double given = frame->numbers->value[e[column]];
+    if (!pm_contact_has_rim(frame->model, contact)) return given;
+    pm_constraint c;
+    pm_contact_constraint_normal(frame, contact, frame->model->contact_slot[contact], 0, &c);
+    return pm_constraint_cord_grip(given, pm_constraint_cord_wrap(frame, &c));
 }
 
 double pm_contact_static(const pm_frame *frame, int contact)

@@ -57,6 +57,13 @@ int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
 int pm_contact_is_pattern(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
+/* A cord over a rim that it may slip on.  Its coefficients are those of the cord: friction over mean tension. */
+int pm_contact_has_rim(const pm_model *m, int contact);
+/* A flank with friction: its slip is that of its teeth. */
+static inline int pm_contact_rubs(const pm_model *m, int contact)
+{
+    return PM_CONTACT_ROW(m, contact)[PM_CONTACT_LEVER] != PM_NONE;
+}
 int pm_contact_has_flank(const pm_model *m, int contact);
 /* Its gap counts from the start: a cord, a flank. */
 int pm_contact_measures_itself(const pm_model *m, int contact);

@@ -12,6 +12,15 @@ static void flank(const pm_frame *frame, const int32_t *e, pm_constraint *c)
     c->flank = e[PM_CONTACT_SENSE_A];
 }
 
+static void over_rim(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    const int circle[3] = {e[PM_CONTACT_A], e[PM_CONTACT_B], e[PM_CONTACT_RIM]};
+    const int32_t sense[3] = {e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B], e[PM_CONTACT_SENSE_RIM]};
+    pm_constraint_marks_cord(frame, c, circle, sense);
+    c->turns = frame->numbers->value[e[PM_CONTACT_TURNS]];
+    if (e[PM_CONTACT_KINETIC] >= 0) c->value = frame->numbers->value[e[PM_CONTACT_KINETIC]];
+}
+
 /* The normal constraint with the face of a segment, or member 0 of a pattern, as its partner. */
 static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
 {
@@ -33,7 +42,10 @@ static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
         break;
     case PM_CONTACT_CORD:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_STRAND);
-        pm_constraint_marks_strand(frame, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]);
+        if (e[PM_CONTACT_RIM] == PM_NONE)
+            pm_constraint_marks_strand(frame, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]);
+        else
+            over_rim(frame, e, normal);
         break;
     case PM_CONTACT_TEETH:
         *normal = pm_constraint_marks_blank(PM_CONSTRAINT_TEETH);
@@ -108,8 +120,13 @@ void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     *tangent = *normal;
     tangent->memory = memory_of(frame->model, normal->slot);
-    if (normal->kind == PM_CONSTRAINT_STRAND || normal->teeth[0] > 0)
-        return; /* nothing acts across a cord or a flank: it is smooth */
+    if (normal->over) tangent->kind = PM_CONSTRAINT_CORD_SLIP;
+    if (normal->teeth[0] > 0 && e[PM_CONTACT_LEVER] != PM_NONE) {
+        tangent->kind = PM_CONSTRAINT_TEETH_SLIP;
+        tangent->value = frame->numbers->value[e[PM_CONTACT_LEVER]];
+    }
+    if (normal->over || normal->kind == PM_CONSTRAINT_STRAND || normal->teeth[0] > 0)
+        return; /* nothing else acts across a cord or a flank */
     tangent->kind = normal->kind == PM_CONSTRAINT_LINE_NORMAL    ? PM_CONSTRAINT_LINE_TANGENT
                     : normal->kind == PM_CONSTRAINT_CURVE_NORMAL ? PM_CONSTRAINT_CURVE_TANGENT
                     : normal->kind == PM_CONSTRAINT_PAIR_NORMAL  ? PM_CONSTRAINT_PAIR_TANGENT

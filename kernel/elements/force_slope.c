@@ -57,7 +57,7 @@ void pm_force_add_relative(const pm_frame *frame, const int32_t *e, double weigh
 {
     const int body[2] = {pm_model_body_index(frame->model, e[PM_FORCE_A]),
                          pm_model_body_index(frame->model, e[PM_FORCE_B])};
-    pm_slope_add_pair(frame, to, body, (double[]){0, 0, 1, 0, 0, -1}, weight, velocities);
+    pm_slope_add_bodies(frame, to, 2, body, (double[]){0, 0, 1, 0, 0, -1}, weight, velocities);
 }
 
 /* ---- springs and dampers ---- */

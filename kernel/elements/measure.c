@@ -83,6 +83,10 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
                                             .scalar = pm_measured_contact_friction_needed},
     [PM_MEASURE_CONTACT_FORCE] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC, .vector = pm_measured_contact_force},
     [PM_MEASURE_CONTACT_COUPLE] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_contact_couple},
+    [PM_MEASURE_CONTACT_TENSION] = {CONTACT, MOTION, LINEAR, 0, DYNAMIC,
+                                    .scalar = pm_measured_contact_tension},
+    [PM_MEASURE_CONTACT_TENSION_IMPULSE] = {CONTACT, MOTION, UNKNOWN, 0, OF_ALL,
+                                            .scalar = pm_measured_contact_tension_impulse},
     [PM_MEASURE_CONTACT_IMPULSE] = {CONTACT, MOTION, UNKNOWN, 0, OF_ALL,
                                     .vector = pm_measured_contact_impulse},
     [PM_MEASURE_FORCE_FORCE] = {FORCE, MOTION, UNKNOWN, 0, 0, .vector = pm_measured_force_force,
@@ -216,7 +220,7 @@ static void by_differences(pm_workspace *w, int i, double weight, pm_slope *to)
         }
         q[k] = old;
         slope[k % 3] = weight * (at[1] - at[0]) / (2 * step);
-        pm_slope_add_pair(&w->frame, to, body, slope, 1, k >= nq);
+        pm_slope_add_bodies(&w->frame, to, 2, body, slope, 1, k >= nq);
     }
     pm_frame_look(&w->frame, kept.t, kept.q, kept.v, kept.z, kept.memory);
     w->frame.level = kept.level;

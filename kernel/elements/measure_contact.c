@@ -120,6 +120,52 @@ static double held_force(const pm_workspace *w, int slot, int axis)
     return pm_reaction(w, w->active.slot_held[PM_JOINT_CONSTRAINTS * slot + axis]);
 }
 
+/* ---- cords over a rim ---- */
+/* The tension of a strand, 0 or 1, by what acts along the cord and by the friction of the rim. */
+static double tension_of(const pm_measure_args *x, int strand, double normal, double friction)
+{
+    pm_constraint of[2];
+    double by_normal[2], by_friction[2];
+    pm_contact_constraint_both(&x->w->frame, x->a, x->w->model->contact_slot[x->a], 0, &of[0], &of[1]);
+    pm_constraint_cord_tensions(&of[0], by_normal);
+    pm_constraint_cord_tensions(&of[1], by_friction);
+    return by_normal[strand] * normal + by_friction[strand] * friction;
+}
+
+static double tension(const pm_measure_args *x, int strand)
+{
+    const int slot = x->w->model->contact_slot[x->a];
+    if (x->w->state.slot[slot].mode == PM_OPEN) return 0;
+    return tension_of(x, strand, slot_normal(x->w, slot), slot_friction(x->w, slot));
+}
+
+double pm_measured_contact_tension(const pm_measure_args *x)
+{
+    return tension(x, x->e[PM_MEASURE_MEMBER] == 1);
+}
+
+double pm_measured_contact_tension_impulse(const pm_measure_args *x)
+{
+    const double *impulse = x->w->impulses.slot + 2 * x->w->model->contact_slot[x->a];
+    return tension_of(x, x->e[PM_MEASURE_MEMBER] == 1, impulse[0], impulse[1]);
+}
+
+/* By both strands, where they end at the body that is meant. */
+static void force_of_cord(const pm_measure_args *x, double out[2])
+{
+    pm_constraint normal, strand[2];
+    pm_contact_constraint_normal(&x->w->frame, x->a, x->w->model->contact_slot[x->a], 0, &normal);
+    pm_constraint_cord_strands(&normal, strand);
+    const int on = x->e[PM_MEASURE_ON] == PM_NONE ? normal.body[0]
+                                                  : pm_model_body_index(x->w->model, x->e[PM_MEASURE_ON]);
+    for (int k = 0; k < 2; k++) {
+        pm_line_of_action along;
+        pm_constraint_kind(strand[k].kind)->act(&x->w->frame, &strand[k], &along);
+        const double sign = (strand[k].body[0] == on) - (strand[k].body[1] == on);
+        for (int i = 0; i < 2; i++) out[i] += sign * tension(x, k) * along.direction[i];
+    }
+}
+
 static void add_constraint(const pm_measure_args *x, const pm_constraint *c, double force, double out[2])
 {
     pm_line_of_action along;
@@ -131,6 +177,10 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
 {
     const double side = side_of(x);
     out[0] = out[1] = 0;
+    if (pm_contact_has_rim(x->w->model, x->a)) {
+        force_of_cord(x, out);
+        return;
+    }
     for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i)) {
         if (x->w->state.slot[i].mode == PM_CAPTURED) {
             for (int k = 0; k < 2; k++) out[k] += side * held_force(x->w, i, k);
@@ -143,12 +193,23 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
     }
 }
 
+/* Of a flank with friction. */
+static double couple_of_teeth(const pm_measure_args *x, int slot)
+{
+    pm_constraint normal, tangent;
+    pm_contact_constraint_both(&x->w->frame, x->a, slot, 0, &normal, &tangent);
+    return tangent.value * slot_friction(x->w, slot);
+}
+
 /* At the place where it is held; the angle is its last constraint. */
 double pm_measured_contact_couple(const pm_measure_args *x)
 {
     double sum = 0;
     for (int i = first_slot(x); i != PM_NONE; i = next_slot(x, i))
-        if (x->w->state.slot[i].mode == PM_CAPTURED) sum += held_force(x->w, i, PM_JOINT_CONSTRAINTS - 1);
+        if (x->w->state.slot[i].mode == PM_CAPTURED)
+            sum += held_force(x->w, i, PM_JOINT_CONSTRAINTS - 1);
+        else if (pm_contact_rubs(x->w->model, x->a))
+            sum += couple_of_teeth(x, i);
     return side_of(x) * sum;
 }
 

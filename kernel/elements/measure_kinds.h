@@ -30,7 +30,7 @@ pm_vector pm_measured_joint_force, pm_measured_joint_impulse;
 /* measure_contact.c */
 pm_scalar pm_measured_contact_gap, pm_measured_contact_closed, pm_measured_contact_slip,
     pm_measured_contact_normal, pm_measured_contact_couple, pm_measured_contact_friction,
-    pm_measured_contact_friction_needed;
+    pm_measured_contact_friction_needed, pm_measured_contact_tension, pm_measured_contact_tension_impulse;
 pm_vector pm_measured_contact_force, pm_measured_contact_impulse;
 /* measure_scene.c */
 pm_scalar pm_measured_force_couple, pm_measured_force_work, pm_measured_force_power,

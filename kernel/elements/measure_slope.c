@@ -208,7 +208,7 @@ int pm_measure_slope_gap(const pm_measure_args *x, const double weight[2], pm_sl
     pm_contact_constraint_normal(&x->w->frame, x->a, slot, member, &c);
     pm_constraint_kind(c.kind)->evaluate(&x->w->frame, &c);
     if (!(fabs(c.g - gap) <= PM_SLOPE_SAME * x->w->numbers.size)) return 0;
-    pm_slope_add_pair(&x->w->frame, to, c.body, c.j, weight[0], 0);
+    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(&c), c.body, c.j, weight[0], 0);
     return 1;
 }
 
@@ -218,15 +218,15 @@ int pm_measure_slope_slip(const pm_measure_args *x, const double weight[2], pm_s
     int slot;
     const int member = member_of(x, &slot);
     pm_constraint normal, tangent;
-    double bend[6][6], turn[6];
+    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], turn[PM_CONSTRAINT_COORDINATES];
     if (isnan(pm_measured_contact_slip(x))) return 1;
     const double along = weight[0] * pm_edge_way(x->w->model, x->a, member);
     pm_contact_constraint_both(&x->w->frame, x->a, slot, member, &normal, &tangent);
     pm_constraint_kind(tangent.kind)->evaluate(&x->w->frame, &tangent);
     pm_constraint_bend(&x->w->frame, &tangent, bend);
     pm_constraint_bend_along(&x->w->frame, &tangent, bend, x->w->frame.v, turn);
-    pm_slope_add_pair(&x->w->frame, to, tangent.body, tangent.j, along, 1);
-    pm_slope_add_pair(&x->w->frame, to, tangent.body, turn, along, 0);
+    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(&tangent), tangent.body, tangent.j, along, 1);
+    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(&tangent), tangent.body, turn, along, 0);
     return 1;
 }
 

@@ -74,10 +74,10 @@ void pm_slope_add_velocity(const pm_frame *frame, pm_slope *to, const pm_point *
     to->q[3 * p->body + 2] -= frame->velocity[3 * p->body + 2] * (weight[0] * p->r[0] + weight[1] * p->r[1]);
 }
 
-void pm_slope_add_pair(const pm_frame *frame, pm_slope *to, const int body[2], const double j[6],
-                       double weight, int velocities)
+void pm_slope_add_bodies(const pm_frame *frame, pm_slope *to, int n, const int *body, const double *j,
+                         double weight, int velocities)
 {
-    for (int p = 0; p < 2; p++) {
+    for (int p = 0; p < n; p++) {
         if (!list(frame, to, body[p])) continue;
         double *x = (velocities ? to->v : to->q) + 3 * body[p];
         for (int k = 0; k < 3; k++) x[k] += weight * j[3 * p + k];

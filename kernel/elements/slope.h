@@ -26,9 +26,9 @@ void pm_slope_add_omega(const pm_frame *frame, pm_slope *to, int body, double we
 /* Of the place of a point, of its velocity: weight[2] for x and y. */
 void pm_slope_add_place(const pm_frame *frame, pm_slope *to, const pm_point *p, const double weight[2]);
 void pm_slope_add_velocity(const pm_frame *frame, pm_slope *to, const pm_point *p, const double weight[2]);
-/* j on the positions (velocities: by 1) of two bodies. */
-void pm_slope_add_pair(const pm_frame *frame, pm_slope *to, const int body[2], const double j[6],
-                       double weight, int velocities);
+/* j[3n] on the positions (velocities: by 1) of n bodies. */
+void pm_slope_add_bodies(const pm_frame *frame, pm_slope *to, int n, const int *body, const double *j,
+                         double weight, int velocities);
 
 /* Numbers that are its parts, in any order: to[stride * coordinate] += weight * what it is by it. */
 void pm_slope_spread(const pm_slope *x, double weight, int stride, double *by_place, double *by_velocity);

@@ -181,7 +181,7 @@ void pm_turning_plane_add_inertia(const pm_frame *frame, pm_slope *to, int i, do
         const int pair[2] = {k, frame->model->nbody};
         if (i != PM_NONE && i != k) continue;
         inertia_slope(frame, k, slope);
-        pm_slope_add_pair(frame, to, pair, slope, weight, 0);
+        pm_slope_add_bodies(frame, to, 2, pair, slope, weight, 0);
     }
 }
 

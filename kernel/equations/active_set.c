@@ -305,7 +305,8 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
 {
     pm_constraint normal, tangent;
     const int contact = pm_contact_of_slot(frame->model, slot);
-    if (pm_contact_measures_itself(frame->model, contact)) return; /* its length stays */
+    const int slips = pm_contact_has_rim(frame->model, contact) || pm_contact_rubs(frame->model, contact);
+    if (pm_contact_measures_itself(frame->model, contact) && !slips) return; /* its length stays */
     if (s->slot[slot].mode == PM_CAPTURED) {
         pm_capture_keep(frame, s, slot);
         return;

@@ -22,10 +22,11 @@ void pm_active_set_anchor_start(const pm_frame *frame, const pm_state *state, pm
 void pm_active_set_follow(const pm_frame *frame, const pm_active_set *active, pm_state *s);
 /* Nothing is active: another set from now on. */
 void pm_active_set_clear(pm_active_set *active, const pm_model *model);
-/* Whether both partners of a constraint are fixed for good (fixed_bodies.h): it holds nothing that moves. */
+/* Whether all partners of a constraint are fixed for good (fixed_bodies.h): it holds nothing that moves. */
 static inline int pm_active_set_is_idle(const pm_numbers *numbers, const pm_constraint *c)
 {
-    return numbers->fixed[c->body[0]] && numbers->fixed[c->body[1]];
+    return numbers->fixed[c->body[0]] && numbers->fixed[c->body[1]] &&
+           (!c->over || numbers->fixed[c->body[2]]);
 }
 /* Whether a drive prescribes the rate of some constraint. */
 static inline int pm_active_set_is_driven(const pm_active_set *active)

@@ -73,16 +73,29 @@ static int check_side(const pm_numbers *numbers, pm_result *result, int table, i
     return side == 1 || side == -1 || side == -2 ? PM_OK : out_of_bound(result, table, row, column, side, 1);
 }
 
-/* A point touches neither a point nor a pattern; points that meet have no radius. */
+/* A cord is wound about a rim by full turns. */
+static int check_turns(pm_workspace *w, int contact, double turns)
+{
+    return turns >= 0 && turns == floor(turns)
+               ? PM_OK
+               : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_TURNS, turns, 0);
+}
+
+/* Flanks that both touch press on each other by nothing that is known: without backlash teeth are a joint.  A point touches
+ * neither a point nor a pattern; points that meet have no radius. */
 static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW(m, contact);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES) return PM_OK;
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
+    if (pm_contact_has_flank(m, contact) && !(w->numbers.value[e[PM_CONTACT_SLACK]] > 0))
+        return out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SLACK,
+                            w->numbers.value[e[PM_CONTACT_SLACK]], 0);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH)
         return check_side(&w->numbers, &w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_SIDE,
                           e[PM_CONTACT_SIDE]);
+    if (pm_contact_has_rim(m, contact)) return check_turns(w, contact, w->numbers.value[e[PM_CONTACT_TURNS]]);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_LINE || e[PM_CONTACT_KIND] == PM_CONTACT_CURVE ||
         pm_contact_measures_itself(m, contact))
         return PM_OK;

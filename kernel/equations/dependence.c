@@ -59,9 +59,12 @@ static int mark_joined(const pm_active_set *active, int ground, int *marked)
 {
     int more = 0;
     for (int i = 0; i < active->n; i++) {
-        const int a = active->constraint[i].body[0], b = active->constraint[i].body[1];
-        if (a == ground || b == ground || marked[a] == marked[b]) continue;
-        marked[a] = marked[b] = more = 1;
+        const pm_constraint *c = &active->constraint[i];
+        for (int p = 0; p < pm_constraint_bodies(c); p++) {
+            const int a = c->body[p], b = c->body[(p + 1) % pm_constraint_bodies(c)];
+            if (a == ground || b == ground || marked[a] == marked[b]) continue;
+            marked[a] = marked[b] = more = 1;
+        }
     }
     return more;
 }
@@ -73,7 +76,7 @@ static int joins_fast(pm_workspace *w, const pm_constraint *c, int nbasis)
     const int ground = w->model->nbody;
     int *marked = w->active.body_place;
     memset(marked, 0, (size_t)ground * sizeof *marked);
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         if (c->body[p] != ground) marked[c->body[p]] = 1;
     while (mark_joined(&w->active, ground, marked)) continue;
     for (int i = 0; i < ground; i++)

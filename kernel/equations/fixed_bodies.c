@@ -256,12 +256,12 @@ int pm_fixed_bodies_create(pm_workspace *w)
 }
 
 /* ---- once a case ---- */
-/* Both bodies of a constraint that are fixed are left to the equations of motion. */
+/* The bodies of a constraint that are all fixed are left to the equations of motion. */
 static int let_go(pm_workspace *w, const pm_constraint *c)
 {
     int any = 0;
     if (!pm_active_set_is_idle(&w->numbers, c)) return 0;
-    for (int side = 0; side < 2; side++) {
+    for (int side = 0; side < pm_constraint_bodies(c); side++) {
         const int body = c->body[side];
         if (body == w->model->nbody || must_move(w->fixed, body)) continue;
         w->fixed->is_left[body] = 1;

@@ -19,7 +19,7 @@ static double norm_of(const pm_model *model, const pm_numbers *numbers, const do
 /* Adds the gradient of a constraint, times a factor, to a dense row. */
 static void add_sparse(const pm_model *model, const pm_constraint *c, double factor, double *dense)
 {
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         for (int k = 0; k < 3 && c->body[p] != model->nbody; k++)
             dense[3 * c->body[p] + k] += factor * c->j[3 * p + k];
 }
@@ -34,7 +34,7 @@ static void spread_out(const pm_model *model, const pm_constraint *c, double *de
 static double along(const pm_model *model, const pm_numbers *numbers, const pm_constraint *c, const double *d)
 {
     double sum = 0;
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         for (int k = 0; k < 3 && c->body[p] != model->nbody; k++)
             sum += c->j[3 * p + k] * numbers->inverse_mass[3 * c->body[p] + k] * d[3 * c->body[p] + k];
     return sum;

@@ -37,10 +37,26 @@ static void add_outer(double *impulse, const double at[2], const double force[2]
     impulse[2] += sign * (couple + at[0] * force[1] - at[1] * force[0]);
 }
 
+static void add_constraint(const pm_frame *frame, const pm_constraint *c, double size, double *impulse);
+
+/* By its strands. */
+static void add_cord(const pm_frame *frame, const pm_constraint *c, double size, double *impulse)
+{
+    pm_constraint strand[2];
+    double tension[2];
+    pm_constraint_cord_strands(c, strand);
+    pm_constraint_cord_tensions(c, tension);
+    for (int k = 0; k < 2; k++) add_constraint(frame, &strand[k], tension[k] * size, impulse);
+}
+
 /* What a constraint gives the scene from outside by a reaction (or an impulse) of that size. */
 static void add_constraint(const pm_frame *frame, const pm_constraint *c, double size, double *impulse)
 {
     if (pm_constraint_is_inner(frame->numbers, c)) return;
+    if (c->over) {
+        add_cord(frame, c, size, impulse);
+        return;
+    }
     const int on_a = !frame->numbers->fixed[c->body[0]], on_b = !frame->numbers->fixed[c->body[1]];
     pm_line_of_action x;
     pm_constraint_kind(c->kind)->act(frame, c, &x);

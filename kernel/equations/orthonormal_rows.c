@@ -73,7 +73,7 @@ int pm_orthonormal_rows_add_constraint(pm_saddle *s, int n, const pm_constraint 
     memset(to, 0, (size_t)x.wide * sizeof *to);
     range[0] = x.wide;
     range[1] = 0;
-    for (int p = 0; p < 2; p++) {
+    for (int p = 0; p < pm_constraint_bodies(c); p++) {
         const int first = 3 * c->body[p];
         if (c->body[p] == s->model->nbody) continue;
         if (first < range[0]) range[0] = first;

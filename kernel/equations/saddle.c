@@ -38,7 +38,8 @@ void pm_saddle_evaluate(pm_active_set *active, const pm_frame *frame)
          i++) { /* carried tangents; an entry without normal ends them */
         pm_constraint *tangent = &active->constraint[i], *normal = &active->constraint[tangent->normal];
         pm_constraint_kind(tangent->kind)->evaluate(frame, tangent);
-        for (int k = 0; k < 6; k++) normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
+        for (int k = 0; k < 3 * pm_constraint_bodies(normal); k++)
+            normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
 }
 
@@ -53,11 +54,11 @@ static double coupled(const pm_saddle *s, const pm_constraint *a, const double *
 {
     const int ground = s->model->nbody;
     double sum = 0;
-    for (int p = 0; p < 2; p++) {
+    for (int p = 0; p < pm_constraint_bodies(a); p++) {
         const int body = a->body[p];
         if (body == ground) continue;
         const double *im = s->numbers->inverse_mass + 3 * body, *x = ja + 3 * p;
-        for (int r = 0; r < 2; r++) {
+        for (int r = 0; r < pm_constraint_bodies(b); r++) {
             if (b->body[r] != body) continue;
             const double *y = jb + 3 * r;
             sum += x[0] * im[0] * y[0] + x[1] * im[1] * y[1] + x[2] * im[2] * y[2];
@@ -73,7 +74,7 @@ static void find_envelope(pm_saddle *s)
     for (int i = 0; i < s->model->nbody; i++) first_of_body[i] = PM_NONE;
     for (int i = 0; i < s->active->n; i++) {
         first[i] = i;
-        for (int p = 0; p < 2; p++) {
+        for (int p = 0; p < pm_constraint_bodies(&s->active->constraint[i]); p++) {
             const int body = s->active->constraint[i].body[p];
             if (body == s->model->nbody) continue;
             if (first_of_body[body] == PM_NONE) first_of_body[body] = i;
@@ -99,6 +100,10 @@ static void fill_symmetric(pm_saddle *s)
         for (int k = s->pivot[i]; k <= i; k++) {
             const pm_constraint *other = &s->active->constraint[k];
             double sum = 0;
+            if (c->over || other->over) {
+                to[k] = coupled(s, c, c->j, other, other->j);
+                continue;
+            }
             if (a == other->body[0]) sum += product(ja, other->j);
             if (a == other->body[1]) sum += product(ja, other->j + 3);
             if (b == other->body[0]) sum += product(jb, other->j);
@@ -116,8 +121,10 @@ int pm_saddle_is_factored(const pm_saddle *s)
     for (int i = 0; i < s->nfactored; i++) {
         const pm_hold *x = &s->factored[i];
         const pm_constraint *c = &s->active->constraint[i];
-        if (x->body[0] != c->body[0] || x->body[1] != c->body[1]) return 0;
-        for (int k = 0; k < 6; k++)
+        if (x->over != c->over) return 0;
+        for (int p = 0; p < pm_constraint_bodies(c); p++)
+            if (x->body[p] != c->body[p]) return 0;
+        for (int k = 0; k < 3 * pm_constraint_bodies(c); k++)
             if (x->j[k] != c->j[k]) return 0;
     }
     return 1;
@@ -127,6 +134,7 @@ static void note_factored(pm_saddle *s)
 {
     s->nfactored = s->active->n;
     for (int i = 0; i < s->nfactored; i++) {
+        s->factored[i].over = s->active->constraint[i].over;
         memcpy(s->factored[i].body, s->active->constraint[i].body, sizeof s->factored[i].body);
         memcpy(s->factored[i].j, s->active->constraint[i].j, sizeof s->factored[i].j);
     }
@@ -239,7 +247,7 @@ void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
     for (int i = 0; i < s->active->n; i++) {
         const pm_constraint *c = &s->active->constraint[i];
         const double *d = use_h ? force_direction(s, c) : c->j, l = s->rhs[i];
-        for (int p = 0; p < 2; p++) {
+        for (int p = 0; p < pm_constraint_bodies(c); p++) {
             const int body = c->body[p];
             if (body == ground) continue;
             for (int k = 0; k < 3; k++)

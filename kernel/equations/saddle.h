@@ -5,12 +5,13 @@
 #ifndef PM_SADDLE_H
 #define PM_SADDLE_H
 
+#include "elements/constraint.h"
 #include "state/workspace.h"
 
 /* Where a constraint takes hold. */
 typedef struct pm_hold {
-    int body[2];
-    double j[6];
+    int body[PM_CONSTRAINT_BODIES], over;
+    double j[PM_CONSTRAINT_COORDINATES];
 } pm_hold;
 
 /* Evaluates the active constraints at the frame, and the tangents that sliding contacts carry. */

@@ -29,8 +29,8 @@ static double coupled(const pm_saddle *s, const pm_constraint *a, const pm_const
 {
     const double *h = force_direction(s, b);
     double sum = 0;
-    for (int p = 0; p < 2; p++)
-        for (int r = 0; r < 2 && a->body[p] != s->model->nbody; r++)
+    for (int p = 0; p < pm_constraint_bodies(a); p++)
+        for (int r = 0; r < pm_constraint_bodies(b) && a->body[p] != s->model->nbody; r++)
             for (int k = 0; k < 3 && a->body[p] == b->body[r]; k++)
                 sum += a->j[3 * p + k] * h[3 * r + k] * inverse_heavy(s, 3 * a->body[p] + k);
     return sum;
@@ -40,7 +40,7 @@ static double coupled(const pm_saddle *s, const pm_constraint *a, const pm_const
 static double at_coordinate(const pm_saddle *s, const pm_constraint *c, const double *row, int at)
 {
     double sum = 0;
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         if (c->body[p] != s->model->nbody && c->body[p] == at / 3) sum += row[3 * p + at % 3];
     return sum;
 }

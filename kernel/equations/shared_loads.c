@@ -75,7 +75,7 @@ static pm_constraint direction_of(const pm_workspace *w, int k)
     pm_contact_constraint_both(&w->frame, pm_contact_of_slot(w->model, c.slot), c.slot,
                                w->state.slot[c.slot].member, &normal, &tangent);
     pm_constraint_kind(tangent.kind)->evaluate(&w->frame, &tangent);
-    for (int i = 0; i < 6; i++) c.h[i] += c.slide * tangent.j[i];
+    for (int i = 0; i < 3 * pm_constraint_bodies(&c); i++) c.h[i] += c.slide * tangent.j[i];
     return c;
 }
 
@@ -85,7 +85,7 @@ static void find_vector(pm_workspace *w, int k)
     const pm_constraint c = direction_of(w, k);
     double *z = x->z + (size_t)k * w->model->nconstraint, largest = 1;
     memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 3 * pm_constraint_bodies(&c); i++)
         if (c.body[i / 3] != w->model->nbody) x->force[3 * c.body[i / 3] + i % 3] += c.h[i];
     for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = 0;
     if (w->active.n > 0) pm_saddle_respond_roughly(w, x->force, x->response);

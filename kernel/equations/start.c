@@ -48,8 +48,8 @@ static void join(const pm_model *model, const pm_start_bodies *x, int a, int b)
 
 static void fasten(const pm_model *model, const pm_start_bodies *x, const pm_constraint *c)
 {
-    for (int p = 0; p < 2; p++) x->fastened[c->body[p]] = 1;
-    join(model, x, c->body[0], c->body[1]);
+    for (int p = 0; p < pm_constraint_bodies(c); p++) x->fastened[c->body[p]] = 1;
+    for (int p = 1; p < pm_constraint_bodies(c); p++) join(model, x, c->body[p - 1], c->body[p]);
 }
 
 static void note_written(const pm_model *model, const pm_start_bodies *x, const double *row, double value)

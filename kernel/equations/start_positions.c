@@ -171,6 +171,12 @@ static int check_gears(const pm_frame *frame, pm_result *result, int table, int 
 
 static int check_strand(const pm_frame *frame, pm_result *result, int table, int at, const pm_constraint *c)
 {
+    if (c->over) {
+        pm_constraint strand[2];
+        pm_constraint_cord_strands(c, strand);
+        const int status = check_strand(frame, result, table, at, &strand[0]);
+        return status ? status : check_strand(frame, result, table, at, &strand[1]);
+    }
     const double distance = apart(frame, c), past = fabs(c->radius_b - c->radius_a);
     return distance > past ? PM_OK : pm_fail(result, PM_ASSEMBLY, table, at, past - distance, 0);
 }

@@ -43,7 +43,7 @@ int pm_event_create(pm_workspace *w)
     const pm_model *m = w->model;
     const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
               ncontact = m->rows[PM_TABLE_CONTACT];
-    const int most = ntrigger + ncontact + 5 * m->nslot + m->nfriction + 2 * m->rows[PM_TABLE_JOINT];
+    const int most = ntrigger + ncontact + 6 * m->nslot + m->nfriction + 2 * m->rows[PM_TABLE_JOINT];
     if (PM_ARENA_NEW(&w->memory, w->event)) return PM_NO_MEMORY;
     pm_event_set *e = w->event;
     e->most = most;
@@ -157,9 +157,11 @@ static void add_contacts(pm_workspace *w)
     for (int i = 0; i < m->nslot; i++) {
         const int mode = w->state.slot[i].mode;
         if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
-        if (pm_contact_is_cord(m, pm_contact_of_slot(m, i)))
-            add(&w->phase, w->event, FUNCTION_STRAND, i, 1, PM_LEVEL_KINEMATIC, 0,
+        for (int k = 0; k < pm_event_strands(m, i); k++)
+            add(&w->phase, w->event, FUNCTION_STRAND, 2 * i + k, 1, PM_LEVEL_KINEMATIC, 0,
                 w->numbers.size * w->numbers.speed);
+        if (pm_event_wraps(&w->frame, i))
+            add(&w->phase, w->event, FUNCTION_WRAP, i, -1, PM_LEVEL_KINEMATIC, PM_WRAP_NOTHING, 1);
         add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
             add(&w->phase, w->event, FUNCTION_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
@@ -241,6 +243,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_END: return room_of(w, f->index);
     case FUNCTION_FLANK: return pm_teeth_pressed(w, f->index);
     case FUNCTION_TRACK: return pm_track_left(&w->frame, f->index);
+    case FUNCTION_WRAP: return pm_event_wrap(&w->frame, f->index);
     case FUNCTION_STRAND: return pm_event_strand_approach(&w->frame, f->index);
     case FUNCTION_JOINT_STICK:
         if (w->active.friction_constraint[f->index] < 0) return 1; /* something else holds it, too */

@@ -20,6 +20,7 @@ enum pm_function_kind {
     FUNCTION_SLIP,
     FUNCTION_MEETING, /* of two points: where they are nearest, they may meet */
     FUNCTION_END,     /* of an edge, an open curve or a piece of one, that something touches */
+    FUNCTION_WRAP, /* of a taut cord on a rim that it may slip on: it leaves the rim where nothing is left of its wrap */
     FUNCTION_STRAND, /* of a taut cord: where it is shortest, nothing may be left of it between its circles */
     FUNCTION_JOINT_STICK, /* friction of a joint that holds: what is left of it */
     FUNCTION_JOINT_SLIP,  /* its slip where it slides */
@@ -121,10 +122,16 @@ int pm_event_create(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
 void pm_event_begin(pm_workspace *w);
+/* How many strands the cord of a slot has; 0: it is none.  A strand is told by twice its slot, and one more for the second. */
+int pm_event_strands(const pm_model *m, int slot);
 /* Length of the strand of a cord, m, and of its circles' radii how much is nothing. */
-double pm_event_strand_left(const pm_workspace *w, int slot, double *nothing);
+double pm_event_strand_left(const pm_workspace *w, int strand, double *nothing);
+/* Whether the cord of a slot lies on a rim that it may slip on. */
+int pm_event_wraps(const pm_frame *frame, int slot);
+/* Along how much of its rim the cord of a slot lies, rad. */
+double pm_event_wrap(const pm_frame *frame, int slot);
 /* l l' of it (constraint.h). */
-double pm_event_strand_approach(const pm_frame *frame, int slot);
+double pm_event_strand_approach(const pm_frame *frame, int strand);
 /* Where a run failed close to the end of a taut cord's strand that is why: PM_STRAND_ENDS, else `status`. */
 int pm_event_explain_strand(pm_workspace *w, int status);
 /* PM_STRAND_ENDS, where = contact: at this instant a strand has no length left. */

@@ -34,7 +34,7 @@ static int hold_others(pm_workspace *w)
 void pm_contact_system_respond_along(pm_workspace *w, pm_contact_system *x, const pm_constraint *along)
 {
     memset(x->force, 0, (size_t)w->model->nq * sizeof *x->force);
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(along); p++)
         for (int k = 0; k < 3 && along->body[p] != w->model->nbody; k++)
             x->force[3 * along->body[p] + k] += along->j[3 * p + k];
     for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = 0;

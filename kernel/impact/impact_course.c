@@ -162,7 +162,7 @@ static void respond(pm_workspace *w, const pm_constraint *c, double *x)
 {
     double *force = w->blow->system.force;
     memset(force, 0, (size_t)w->model->nq * sizeof *force);
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         for (int k = 0; k < 3 && c->body[p] != w->model->nbody; k++)
             force[3 * c->body[p] + k] += c->j[3 * p + k];
     for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = 0;

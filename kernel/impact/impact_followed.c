@@ -97,7 +97,7 @@ void pm_impact_pose_course(pm_workspace *w, pm_blow *b)
 static void add_impulse(const pm_workspace *w, pm_contact_system *x, const pm_constraint *along,
                         double impulse)
 {
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(along); p++)
         for (int k = 0; k < 3 && along->body[p] != w->model->nbody; k++)
             x->force[3 * along->body[p] + k] += impulse * along->j[3 * p + k];
 }

@@ -195,6 +195,7 @@
 #define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
 #define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */
 #define PM_STRAND_SOON 4.0 /* steps like the last: a failure so long before a strand ends comes of it; larger: others are told as that */
+#define PM_WRAP_NOTHING 1e-9 /* rad: of so small a wrap a cord has left its rim, or lies on it as drawn; larger: it leaves early */
 #define PM_STRAND_LEAST 1e-5 /* of the radii of its circles: so short, a strand has come to its end; larger: one that only comes close ends */
 #define PM_ON_ZERO 1e-12 /* of a function's greatest size in the step: it is zero, has no sign; larger: a zero right after the begin is lost */
 #define PM_DIP_NEAR 0.3 /* of a function's greatest size in the step: below it there may be a dip to zero; larger: more is looked at */

@@ -80,19 +80,36 @@ static int captures_soundly(const int32_t *e)
            kind < PM_CONTACT_TEETH && e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH && e[PM_CONTACT_SPEED] < 0;
 }
 
-/* What measures itself at the start has a slack, a sense, and no friction; what has flanks, a pressure angle. */
+static int is_sense(int32_t x) { return x == 1 || x == -1; }
+
+/* A cord over a rim passes that, too, and may have friction there; its blows are those of Newton's law.  A
+ * flank has friction by a lever.  Nothing else that measures itself has any. */
+static int slips_soundly(const pm_model *m, int contact)
+{
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    if (e[PM_CONTACT_LEVER] != PM_NONE)
+        return pm_contact_has_flank(m, contact) && e[PM_CONTACT_FRICTION] == PM_FRICTION_COULOMB &&
+               e[PM_CONTACT_RIM] == PM_NONE;
+    if (e[PM_CONTACT_RIM] == PM_NONE)
+        return !pm_contact_measures_itself(m, contact) || e[PM_CONTACT_FRICTION] == PM_FRICTION_SMOOTH;
+    return pm_contact_is_cord(m, contact) && e[PM_CONTACT_FRICTION] != PM_FRICTION_ROUGH &&
+           is_sense(e[PM_CONTACT_SENSE_RIM]) && e[PM_CONTACT_TURNS] >= 0 &&
+           e[PM_CONTACT_LAW] == PM_LAW_NEWTON;
+}
+
+/* What measures itself at the start has a slack and a sense; what has flanks, a pressure angle. */
 static int check_slack(const pm_model *m, int contact, pm_where *where)
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
     const int flank = e[PM_CONTACT_KIND] == PM_CONTACT_TEETH || e[PM_CONTACT_KIND] == PM_CONTACT_RACK;
-    if (e[PM_CONTACT_FRICTION] != PM_FRICTION_SMOOTH || e[PM_CONTACT_SLACK] < 0)
+    if (e[PM_CONTACT_SLACK] < 0)
         return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[PM_CONTACT_SLACK], 0);
     if (flank && (e[PM_CONTACT_PRESSURE] < 0 || e[PM_CONTACT_LAW] != PM_LAW_NEWTON))
         return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[PM_CONTACT_PRESSURE], 0);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_TEETH && e[PM_CONTACT_SIDE] < 0)
         return pm_bad_table(where, PM_TABLE_CONTACT, contact, PM_NONE, 0);
     for (int k = PM_CONTACT_SENSE_A; k <= PM_CONTACT_SENSE_B; k++)
-        if (e[k] != 1 && e[k] != -1) return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[k], 1);
+        if (!is_sense(e[k])) return pm_bad_table(where, PM_TABLE_CONTACT, contact, e[k], 1);
     return PM_OK;
 }
 
@@ -103,6 +120,7 @@ static int check_contacts(const pm_model *m, pm_where *where)
         const int friction = e[PM_CONTACT_FRICTION];
         if (!captures_soundly(e))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_CAPTURE], PM_CAPTURES);
+        if (!slips_soundly(m, i)) return pm_bad_table(where, PM_TABLE_CONTACT, i, e[PM_CONTACT_RIM], PM_NONE);
         if (friction == PM_FRICTION_COULOMB && (e[PM_CONTACT_STATIC] < 0 || e[PM_CONTACT_KINETIC] < 0))
             return pm_bad_table(where, PM_TABLE_CONTACT, i, PM_NONE, 0);
         if (e[PM_CONTACT_KIND] == PM_CONTACT_CIRCLE && e[PM_CONTACT_SIDE] < 0)

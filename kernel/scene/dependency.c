@@ -20,13 +20,17 @@
 #include "scene/reference.h"
 
 /* ---- islands ---- */
-static void unite(pm_dependency *x, const int body[2])
+enum { BODIES = 3 }; /* most that one acts on */
+
+static void unite(pm_dependency *x, const int body[BODIES])
 {
-    if (body[0] >= 0 && body[1] >= 0) pm_islands_join(x->island, body[0], body[1]);
+    for (int k = 0; k < BODIES; k++)
+        for (int n = 0; n < k; n++)
+            if (body[k] >= 0 && body[n] >= 0) pm_islands_join(x->island, body[k], body[n]);
 }
 
 /* The bodies that a joint, contact or force acts on.  An applied force only takes its axes from its second one. */
-static void bodies_of(const pm_model *m, int table, int row, int body[2])
+static void bodies_of(const pm_model *m, int table, int row, int body[BODIES])
 {
     const int32_t *e = pm_model_row(m, table, row, pm_reference_columns[table]);
     if (table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_FRICTION) {
@@ -36,7 +40,7 @@ static void bodies_of(const pm_model *m, int table, int row, int body[2])
     int of[PM_REFERENCES];
     const int alone = table == PM_TABLE_FORCE && e[PM_FORCE_KIND] == PM_FORCE_APPLIED;
     const int n = pm_reference_bodies(m, table, row, of);
-    for (int k = 0; k < 2; k++) body[k] = k < n && !(alone && k == 1) ? of[k] : PM_GROUND;
+    for (int k = 0; k < BODIES; k++) body[k] = k < n && !(alone && k == 1) ? of[k] : PM_GROUND;
 }
 
 static const int elements[] = {PM_TABLE_JOINT, PM_TABLE_CONTACT, PM_TABLE_FORCE};
@@ -47,7 +51,7 @@ static void find_islands(const pm_model *m, pm_dependency *x)
     pm_islands_begin(x->island, m->nbody);
     for (int k = 0; k < NELEMENTS; k++)
         for (int i = 0; i < m->rows[elements[k]]; i++) {
-            int body[2];
+            int body[BODIES];
             bodies_of(m, elements[k], i, body);
             unite(x, body);
         }
@@ -130,9 +134,10 @@ static int mark_is_needed(const pm_model *m, const pm_dependency *x, int table, 
 
 static int element_is_needed(const pm_model *m, const pm_dependency *x, int table, int i)
 {
-    int body[2];
+    int body[BODIES], needed = 0;
     bodies_of(m, table, i, body);
-    return is_needed_body(x, body[0]) || is_needed_body(x, body[1]);
+    for (int k = 0; k < BODIES; k++) needed |= is_needed_body(x, body[k]);
+    return needed;
 }
 
 /* A start value relative to a body says something of both. */

@@ -61,6 +61,8 @@ static const pm_range ranges[] = {
     {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_STIFFNESS, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_PRESSURE, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_TURNS, PM_TABLE_VALUE, 0, 1},
+    {PM_TABLE_CONTACT, PM_CONTACT_LEVER, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_FROM, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_CONTACT, PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1},
     {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
@@ -163,7 +165,10 @@ static int of_joint(const int32_t *e, pm_reference *out)
 static int of_contact(const int32_t *e, pm_reference *out)
 {
     const int *of = contact_partner[e[PM_CONTACT_KIND]];
-    return partners(of[0], of[1], out);
+    const int n = partners(of[0], of[1], out);
+    if (e[PM_CONTACT_RIM] == PM_NONE) return n;
+    out[n] = (pm_reference){.column = PM_CONTACT_RIM, .of = PM_TABLE_CIRCLE};
+    return n + 1;
 }
 
 static int of_force(const int32_t *e, pm_reference *out)

@@ -4,7 +4,7 @@
 
 #include "state/model.h"
 
-#define PM_REFERENCES 16 /* most of one row */
+#define PM_REFERENCES 18 /* most of one row */
 
 typedef struct pm_reference {
     int column, of, index; /* the entry of this column is row `index` of table `of` */

@@ -26,9 +26,10 @@ typedef struct pm_slot {
 typedef struct pm_memory {
     double anchor;
     double direction;
-    double foot;     /* s of the place on a curve that a constraint stands on */
-    double other[2]; /* of two curves that touch, on the first of them: as foot, as direction */
-    double time;     /* up to which the way of a drive is part of the anchor */
+    double foot;         /* s of the place on a curve that a constraint stands on */
+    double other[2];     /* of two curves that touch, on the first of them: as foot, as direction */
+    double time;         /* up to which the way of a drive is part of the anchor */
+    double behind, slip; /* of a cord over a rim: direction of its second strand, anchor of its slip */
 } pm_memory;
 
 /* Where a captured pair is held, in the axes of both bodies, and its relative angle (capture.c). */

@@ -310,7 +310,7 @@ void pm_tree_loop_ends(const pm_tree *t, const pm_constraint *c, int *low, int *
 {
     *low = t->n;
     *high = -1;
-    for (int p = 0; p < 2; p++) {
+    for (int p = 0; p < pm_constraint_bodies(c); p++) {
         if (c->body[p] == t->model->nbody) continue;
         const pm_tree_node *x = &t->node[t->placed[c->body[p]] - 1];
         if (x->nlist == 0) continue;

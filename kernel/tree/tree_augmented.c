@@ -104,7 +104,7 @@ static void list_needed(const pm_active_set *active, pm_tree *t)
 {
     for (int i = 0; i < t->model->nbody; i++) t->node[i].needed = t->augmented.forced;
     for (int i = 0; i < t->nloop; i++)
-        for (int p = 0; p < 2; p++) {
+        for (int p = 0; p < pm_constraint_bodies(&active->constraint[t->loop[i]]); p++) {
             const int body = active->constraint[t->loop[i]].body[p];
             if (body != t->model->nbody) t->node[t->placed[body] - 1].needed = 1;
         }

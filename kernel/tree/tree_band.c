@@ -21,7 +21,7 @@ static const pm_tree_node *node_of(const pm_tree *t, const pm_constraint *c, int
 
 void pm_tree_loop_zero(const pm_tree *t, const pm_constraint *constraint, double *on_coordinates)
 {
-    for (int side = 0; side < 2; side++) {
+    for (int side = 0; side < pm_constraint_bodies(constraint); side++) {
         const pm_tree_node *x = node_of(t, constraint, side);
         for (int k = 0; x && k < x->nlist; k++) on_coordinates[t->moved_by[x->list + k]] = 0;
     }
@@ -41,9 +41,10 @@ static void sort_dependent(pm_tree *t)
 /* First and last place of the dependent coordinates that move loop constraint i; none: from its diagonal to it. */
 static void span_of(const pm_tree *t, int i, int *first, int *last)
 {
+    const pm_constraint *c = &t->constraint[t->loop[i]];
     *first = *last = i;
-    for (int side = 0, any = 0; side < 2; side++) {
-        const pm_tree_node *x = node_of(t, &t->constraint[t->loop[i]], side);
+    for (int side = 0, any = 0; side < pm_constraint_bodies(c); side++) {
+        const pm_tree_node *x = node_of(t, c, side);
         for (int k = 0; x && k < x->nlist; k++) {
             const int at = t->part.position[t->moved_by[x->list + k]];
             if (at >= t->nloop) continue;

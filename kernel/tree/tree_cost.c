@@ -21,7 +21,7 @@ static double cost_of_constraints(const pm_active_set *active, int *first_of_bod
     for (int i = 0; i < nbody; i++) first_of_body[i] = PM_NONE;
     for (int i = 0; i < active->n; i++) {
         int first = i;
-        for (int p = 0; p < 2; p++) {
+        for (int p = 0; p < pm_constraint_bodies(&active->constraint[i]); p++) {
             const int body = active->constraint[i].body[p];
             if (body == nbody) continue;
             if (first_of_body[body] == PM_NONE) first_of_body[body] = i;

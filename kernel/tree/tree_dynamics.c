@@ -225,7 +225,7 @@ static void take_off_loops(const pm_workspace *w, double *wrench)
     for (int i = 0; i < t->nloop; i++) {
         const pm_constraint *c = &w->active.constraint[t->loop[i]];
         const double lambda = w->frame.lambda[t->loop[i]];
-        for (int side = 0; side < 2; side++)
+        for (int side = 0; side < pm_constraint_bodies(c); side++)
             for (int k = 0; k < 3 && c->body[side] != w->model->nbody; k++)
                 wrench[3 * c->body[side] + k] -= lambda * c->j[3 * side + k];
     }

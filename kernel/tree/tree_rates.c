@@ -113,7 +113,7 @@ int pm_tree_singular_loop(pm_workspace *w, int loop)
 
 void pm_tree_loop_add(const pm_tree *t, const pm_constraint *c, double *on_coordinates)
 {
-    for (int side = 0; side < 2; side++) {
+    for (int side = 0; side < pm_constraint_bodies(c); side++) {
         if (c->body[side] == t->model->nbody) continue;
         const pm_tree_node *x = &t->node[t->placed[c->body[side]] - 1];
         const double *j = c->j + 3 * side;

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "ledger: a cord over a rim pulls by one strand",
+        "equations/ledger.c",
+        "for (int k = 0; k < 2; k++) add_constraint(frame, &strand[k], tension[k] * size, impulse);",
+        "for (int k = 0; k < 1; k++) add_constraint(frame, &strand[k], tension[k] * size, impulse);",
+    ),
+    Fault(
+        "saddle: the third body of a constraint has no part",
+        "equations/saddle.c",
+        "for (int p = 0; p < pm_constraint_bodies(a); p++) {",
+        "for (int p = 0; p < 2; p++) {",
+    ),
+    Fault(
         "curves: the foot of a contact is not followed",
         "equations/active_set.c",
         "if (c->curve != PM_NONE) c->foot = m->nmemory - m->nslot + slot;",
@@ -266,7 +278,7 @@ FAULTS = [
     Fault(
         "saddle: coupling of the second partner",
         "equations/saddle.c",
-        "for (int r = 0; r < 2; r++)",
+        "for (int r = 0; r < pm_constraint_bodies(b); r++)",
         "for (int r = 0; r < 1; r++)",
     ),
     Fault(
@@ -300,7 +312,7 @@ FAULTS = [
         "memcmp(r->q, r->q,",
     ),
     Fault("recall: factors of other rows", "equations/saddle.c", "if (x->j[k] != c->j[k]) return 0;", ";"),
-    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[1] != c->body[1]", "0"),
+    Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[p] != c->body[p]", "0"),
     Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
     Fault(
         "start: open motions pass",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "strand: a cord stays on a rim that it has left",
+        "events/event_strand.c",
+        "if (f->kind == FUNCTION_WRAP) return ends(w, f->index, 1);",
+        "",
+    ),
+    Fault(
         "gap: the bottom of what grazes is told by a polynomial",
         "events/event_bracket.c",
         "return f->kind == FUNCTION_GAP && !pm_event_samples_resolve(",

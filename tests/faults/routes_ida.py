@@ -24,8 +24,8 @@ FAULTS = [
     Fault(
         "ida: power of a rubbing constraint without its turn",
         "routes/ida/ida_slopes.c",
-        "slope, c->body, turn, size, 0)",
-        "slope, c->body, turn, 0 * size, 0)",
+        "slope, pm_constraint_bodies(c), c->body, turn, size, 0)",
+        "slope, pm_constraint_bodies(c), c->body, turn, 0 * size, 0)",
     ),
     Fault(
         "ida: the lever of a force does not turn in the Jacobian",

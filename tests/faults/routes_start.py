@@ -37,8 +37,8 @@ FAULTS = [
     Fault(
         "nudge: bodies that hang together",
         "routes/start/perturbation.c",
-        "more |= join(w->model, w->perturbation, w->active.constraint[i].body[0], "
-        "w->active.constraint[i].body[1])",
+        "more |= join(w->model, w->perturbation, w->active.constraint[i].body[p - 1], "
+        "w->active.constraint[i].body[p])",
         "more |= 0",
     ),
     Fault(

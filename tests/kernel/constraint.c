@@ -87,21 +87,21 @@ static void check_gap(const pm_frame *frame, const pm_constraint *row)
 /* The second derivatives are those of the Jacobian, and looking for them leaves no trace. */
 static void check_bend(pm_workspace *w, pm_constraint row)
 {
-    double bend[6][6], velocity[6];
+    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], velocity[6];
     look(w, NULL, 0);
     for (int i = 0; i < w->model->nq; i++) velocity[i] = w->frame.velocity[i];
     pm_constraint_bend(&w->frame, &row, bend);
     for (int i = 0; i < w->model->nq; i++) EQUAL(w->frame.velocity[i], velocity[i]);
-    for (int n = 0; n < 6; n++) {
+    for (int n = 0; n < 3 * pm_constraint_bodies(&row); n++) {
         if (row.body[n / 3] == w->model->nbody) continue;
-        double direction[6] = {0}, j[2][6];
+        double direction[6] = {0}, j[2][PM_CONSTRAINT_COORDINATES];
         direction[3 * row.body[n / 3] + n % 3] = 1;
         for (int side = 0; side < 2; side++) {
             look(w, direction, side == 0 ? -STEP : STEP);
             pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
             memcpy(j[side], row.j, sizeof row.j);
         }
-        for (int i = 0; i < 6; i++)
+        for (int i = 0; i < 3 * pm_constraint_bodies(&row); i++)
             if (row.body[i / 3] != w->model->nbody) NEAR(bend[i][n], (j[1][i] - j[0][i]) / (2 * STEP), 2e-8);
     }
     look(w, NULL, 0);
@@ -117,7 +117,7 @@ static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
     pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
     if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
     check_gap(&w->frame, &row);
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(&row); p++)
         for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++)
             dense[3 * row.body[p] + k] += row.j[3 * p + k];
     for (int i = 0; i < nq; i++) {
@@ -154,6 +154,32 @@ static void check_flanks(pm_workspace *w, const pm_constraint *row)
 static int open_case(scene *s)
 {
     return CHECK(scene_open(s) == PM_OK) && CHECK(pm_case_begin(s->w, s->constant) == PM_OK);
+}
+
+/* The slack of a cord and its slip on a rim; its rates are those of its strands along their lines. */
+static void check_cord(scene *s)
+{
+    pm_constraint row[2], strand[2];
+    if (!open_case(s)) return;
+    pm_workspace *w = s->w;
+    look(w, NULL, 0);
+    pm_contact_constraint_both(&w->frame, 0, s->model->contact_slot[0], 0, &row[0], &row[1]);
+    pm_memory *memory = &w->state.memory[row[0].memory];
+    for (int k = 0; k < 2; k++) {
+        pm_constraint_kind(row[k].kind)->remember(&w->frame, &row[k], memory, 1);
+        check_row(w, row[k], 1);
+    }
+    const double wrap = pm_constraint_cord_wrap(&w->frame, &row[0]);
+    CHECK(wrap > 2 * TWO_PI && wrap < 3 * TWO_PI);
+    pm_constraint_cord_strands(&row[0], strand);
+    for (int k = 0; k < 2; k++) {
+        pm_line_of_action one;
+        pm_constraint_kind(strand[k].kind)->act(&w->frame, &strand[k], &one);
+        memory->direction = atan2(one.direction[1], one.direction[0]);
+        if (k == 0) memory->behind = memory->direction;
+    }
+    const double turned = (memory->direction - memory->behind) * (row[0].radius_rim < 0 ? -1 : 1);
+    NEAR(remainder(wrap - turned, TWO_PI), 0, 1e-13);
 }
 
 /* All rows of all joints and contacts of the scene. */
@@ -252,6 +278,20 @@ static void circle_rows(int ground_side, double side, double ratio)
         NEAR(residual_at(x.s->w, row[0], nearer, 1e-3), side > 0 ? -1e-3 : 1e-3, 1e-15);
         (void)q;
     }
+    scene_free(x.s);
+}
+
+/* A cord over a rim that is on the ground, or on one of the bodies while an end is on the ground. */
+static void cord_rows(int rim_on)
+{
+    pair x = make_pair(-1);
+    const int sense[3] = {1, -1, rim_on == 0 ? 1 : -1};
+    const int away = scene_point(x.s, PM_GROUND, 1.9, -2.3);
+    const int ends[3][2] = {{x.point[0], x.point[1]}, {away, x.point[1]}, {x.point[0], away}};
+    const int rim = scene_point(x.s, rim_on - 1 < 0 ? PM_GROUND : x.body[rim_on - 1], 0.4, 2.6);
+    scene_cord_over(x.s, scene_circle(x.s, ends[rim_on][0], 0.11), scene_circle(x.s, ends[rim_on][1], 0.07),
+                    scene_circle(x.s, rim, 0.13), sense, 2, 0.3, 0.2);
+    check_cord(x.s);
     scene_free(x.s);
 }
 
@@ -369,6 +409,7 @@ int main(void)
         pair_rows(ground_side, 0.3);
         pair_rows(ground_side, 0.65);
     }
+    for (int rim_on = 0; rim_on < 3; rim_on++) cord_rows(rim_on);
     rolls_on_a_line();
     rolls_in_a_circle(1);
     rolls_in_a_circle(-1);

@@ -161,7 +161,7 @@ static inline int scene_contact(scene *s, int kind, int a, int b, double side, d
     return SCENE_ROW(s, PM_TABLE_CONTACT, kind, a, b,
                      kind == PM_CONTACT_CIRCLE ? scene_value(s, side) : PM_NONE, scene_value(s, e), friction,
                      value, value, PM_NONE, PM_NONE, 1, 1, PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE,
-                     PM_NONE, PM_PAINLEVE_STOPS, PM_NONE, PM_NONE);
+                     PM_NONE, PM_PAINLEVE_STOPS, PM_NONE, PM_NONE, PM_NONE, PM_NONE, PM_NONE, PM_NONE);
 }
 /* A contact that captures: PM_CONTACT_POINT (circles of radius 0) and any kind but a cord. */
 static inline int scene_capture(scene *s, int kind, int a, int b, double side, int capture)
@@ -189,6 +189,16 @@ static inline int scene_cord(scene *s, int a, int sense_a, int b, int sense_b, d
     return SCENE_ROW(s, PM_TABLE_CONTACT, PM_CONTACT_CORD, a, b, PM_NONE, scene_value(s, e),
                      PM_FRICTION_SMOOTH, PM_NONE, PM_NONE, PM_NONE, scene_value(s, slack), sense_a, sense_b,
                      PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS, PM_NONE,
+                     PM_NONE, PM_NONE, PM_NONE, PM_NONE, PM_NONE);
+}
+/* A cord from circle a over a rim, where it has friction, to circle b; senses of a, b and the rim. */
+static inline int scene_cord_over(scene *s, int a, int b, int rim, const int sense[3], double turns,
+                                  double mu_static, double mu_kinetic)
+{
+    return SCENE_ROW(s, PM_TABLE_CONTACT, PM_CONTACT_CORD, a, b, PM_NONE, scene_value(s, 0),
+                     PM_FRICTION_COULOMB, scene_value(s, mu_static), scene_value(s, mu_kinetic), PM_NONE,
+                     scene_value(s, 0), sense[0], sense[1], PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE,
+                     PM_NONE, PM_PAINLEVE_STOPS, PM_NONE, PM_NONE, rim, sense[2], scene_value(s, turns),
                      PM_NONE);
 }
 /* Both flanks of wheels a, b, or (side 0) of wheel a and a rack on line b, in the middle of their backlash, m. */
@@ -201,7 +211,7 @@ static inline int scene_flanks(scene *s, int a, int b, double side, double press
                         side == 0 ? PM_NONE : scene_value(s, side), scene_value(s, e), PM_FRICTION_SMOOTH,
                         PM_NONE, PM_NONE, PM_NONE, scene_value(s, 0.5 * backlash * cos(pressure)), flank, 1,
                         PM_CAPTURE_NONE, PM_NONE, PM_LAW_NEWTON, PM_NONE, PM_NONE, PM_PAINLEVE_STOPS, PM_NONE,
-                        scene_value(s, pressure));
+                        scene_value(s, pressure), PM_NONE, PM_NONE, PM_NONE, PM_NONE);
     return row - 1;
 }
 /* A drive: PM_JOINT_RATE of bodies or PM_JOINT_DRIVE of points, by programs of the time. */

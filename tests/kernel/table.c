@@ -80,6 +80,7 @@ static int is_unread(const int32_t *row, int table, int column)
         return column == PM_JOINT_VALUE &&
                (row[0] == PM_JOINT_PIN || row[0] == PM_JOINT_SLIDER || row[0] == PM_JOINT_ROLLING_LINE);
     case PM_TABLE_CONTACT:
+        if (column == PM_CONTACT_SENSE_RIM) return row[PM_CONTACT_RIM] == PM_NONE;
         return (column == PM_CONTACT_SENSE_A || column == PM_CONTACT_SENSE_B) && row[0] != PM_CONTACT_CORD;
     case PM_TABLE_FORCE:
         if (column == PM_FORCE_VALUE_1) return row[0] >= PM_FORCE_APPLIED;

@@ -71,6 +71,37 @@ static void reverses(int route, double c)
     scene_free(s);
 }
 
+/* With backlash and friction: from the blow that closes it on, one flank pushes and rubs; a turns forward, or backward. */
+static void rubs_with_backlash(int route, int sense)
+{
+    const double backlash = 1e-3, c = 0.2 * 0.03, into = ra * cos(PHI) + c, out = rb * cos(PHI) - c;
+    const double whole = ra * into / ia + rb * out / ib;
+    const double first = sqrt(backlash / ra * ia / size), end = 0.3;
+    const double force = ra * size / ia / whole;
+    wheels x = wheels_create(route, backlash);
+    scene *s = x.s;
+    for (int i = 0; i < 2; i++) {
+        scene_cell(s, PM_TABLE_CONTACT, x.mesh + i, PM_CONTACT_FRICTION, PM_FRICTION_COULOMB);
+        scene_cell(s, PM_TABLE_CONTACT, x.mesh + i, PM_CONTACT_STATIC, scene_value(s, 0.2));
+        scene_cell(s, PM_TABLE_CONTACT, x.mesh + i, PM_CONTACT_KINETIC, scene_value(s, 0.2));
+        scene_cell(s, PM_TABLE_CONTACT, x.mesh + i, PM_CONTACT_LEVER, scene_value(s, 0.03));
+        scene_cell(s, PM_TABLE_CONTACT, x.mesh + i, PM_CONTACT_RESTITUTION, scene_value(s, 0));
+    }
+    scene_couple(s, x.body[0], PM_GROUND, SCENE_PROGRAM(s, scene_k(s, sense * size)));
+    scene_until_time(s, end);
+    const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, x.body[0]));
+    int couple[2];
+    for (int i = 0; i < 2; i++)
+        couple[i] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_COUPLE, x.mesh + i));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double closes = size / ia * first * (1 - ra * into / ia / whole);
+    const double close = route == PM_ROUTE_IDA ? 1e-7 : 1e-10;
+    NEAR(s->out[omega], sense * (closes + (size - into * force) / ia * (end - first)), 40 * close);
+    NEAR(s->out[couple[0]] + s->out[couple[1]], -sense * c * force, close);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9);
+    scene_free(s);
+}
+
 /* An impulse against the sense of a couple that turns on: it has its own flank, and the couple the other. */
 static void struck(double sense)
 {
@@ -146,6 +177,8 @@ int main(void)
         on_a_rack(routes[i]);
         bounces(routes[i], 1);
         bounces(routes[i], -1);
+        rubs_with_backlash(routes[i], 1);
+        rubs_with_backlash(routes[i], -1);
     }
     struck(1);
     struck(-1);

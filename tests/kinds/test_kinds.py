@@ -37,7 +37,7 @@ EXAMPLES = {
     "rolling": 'e = { rolling = ["a.rim", "ground.floor"] }',
     "gears": 'e = { gears = ["a.rim", "b.rim"] }',
     "belt": 'e = { belt = ["a.rim", "b.rim"] }\n[bodies.b]\nat = ["0.7 m", 0]',
-    "cord": 'e = { cord = ["ground.S", "a.rim cw", "P"], restitution = 0.5 }',
+    "cord": 'e = { cord = ["ground.S", "a.rim cw", "P"], friction = 0.3, restitution = 0.5 }',
     "motor": 'e = { motor = ["a", "b"], value = "2 rad/s" }',
     "ratio": 'e = { ratio = { "a.turned" = 1, b.turned = -2 } }',
     "spring": 'e = { spring = ["a.E", "ground.S"], stiffness = "20 N/m", only = "pull" }',
@@ -97,7 +97,9 @@ def declared(word: str) -> dict[str, None]:
     """Addresses of all quantities that the kind declares."""
     quantities = getattr(KINDS[GROUP[word]][word], "quantities", {})
     strand = {
-        name: "[2]" if len(source.kinds) > 1 or (word == "cord" and not source.vector) else ""
+        name: "[2]"
+        if len(source.kinds) > 1 or (word == "cord" and not source.vector and not source.of_rims)
+        else ""
         for name, source in quantities.items()
     }
     return dict.fromkeys(

@@ -394,6 +394,33 @@ def test_a_rack_with_backlash(route: str, sense: int) -> None:
     assert values["axle"] == pytest.approx(2 * G - 5 * 3 / 0.1 / 6 * math.tan(PHI), rel=close)
 
 
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("sense", [1, -1])
+@pytest.mark.parametrize("losses", ['friction = { mu = 0.2, radius = "3 cm" }', "efficiency = 0.9"])
+def test_teeth_with_backlash_rub(losses: str, sense: int, route: str) -> None:
+    """In the blow that closes the backlash, and while one flank pushes, a couple goes with the force."""
+    text = LOOSE.replace('restitution = "e"', losses) + 'couple = "mesh.couple on A"\n'
+    lead, c = math.cos(PHI), 0.2 * 0.03
+    if "efficiency" in losses:  # (R_b cos - c) / (R_a cos + c) R_a / R_b
+        c = 0.1 * lead / (0.9 / 0.1 + 1 / 0.2)
+    first = math.sqrt(2 * 0.0005 / 0.1 * I_A / 3)
+    into, out = 0.1 * lead + c, 0.2 * lead - c
+    whole = 0.1 * into / I_A + 0.2 * out / I_B
+    omega = 3 / I_A * first * (1 - 0.1 * into / I_A / whole)
+    force = 0.1 * 3 / I_A / whole
+    omega += (3 - into * force) / I_A * (0.5 - first)
+    values, close = answers(text, route, T=f"{3 * sense} N*m"), within(route, ida=1e-8)
+    assert values["omega"] == pytest.approx(-sense * omega / 2, rel=close)
+    assert values["couple"] == pytest.approx(-sense * c * force, rel=close)
+    assert values["size"] == pytest.approx(force, rel=close)
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_no_backlash(route: str) -> None:
+    text = PAIR.replace('pressure_angle = "phi"', 'pressure_angle = "phi", backlash = 0, restitution = 0.5')
+    assert answers(text, route) == answers(PAIR, route)
+
+
 # ---- what does not fit ----
 @pytest.mark.parametrize(
     ("old", "new", "said"),
@@ -409,7 +436,8 @@ def test_a_rack_with_backlash(route: str, sense: int) -> None:
         ('pressure_angle = "phi"', "friction = 0.1", "or give their efficiency"),
         ('pressure_angle = "phi"', "restitution = 0.1", "teeth without backlash do not strike"),
         ('pressure_angle = "phi"', 'backlash = "-1 mm"', r"couplings\.mesh\.backlash"),
-        ('pressure_angle = "phi"', 'backlash = "1 mm", efficiency = 0.9', "not built yet: friction of teeth"),
+        ('pressure_angle = "phi"', 'backlash = "0*phi*(1 mm)"', r"backlash.*must be positive"),
+        ('pressure_angle = "phi"', 'backlash = "1 mm", efficiency = 1.1', "above 0 and at most 1"),
         ('["A.rim", "B.rim"]', '["A.rim", "B.center"]', "B.center is a point"),
     ],
 )

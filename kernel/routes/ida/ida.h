@@ -129,7 +129,7 @@ void pm_ida_slopes_forces(pm_workspace *w);
 void pm_ida_slopes_power(pm_workspace *w);
 /* What a force of `size` along an evaluated constraint makes of the integral z of its power; turn: how the rate of the
  * constraint changes with positions. */
-void pm_ida_slopes_rub(pm_workspace *w, int z, const pm_constraint *c, const double turn[6], double size);
+void pm_ida_slopes_rub(pm_workspace *w, int z, const pm_constraint *c, const double *turn, double size);
 /* The columns for the momentum of the scene, from all that is in h, force, stiffness and damping before these are times M^-1. */
 void pm_ida_slopes_momentum(pm_workspace *w);
 

@@ -61,12 +61,12 @@ int pm_ida_jacobian_create(pm_arena *arena, pm_ida_jacobian *x, const pm_model *
     return pm_action_slope_create(arena, x->slope, m);
 }
 
-/* A constraint's six numbers on all coordinates. */
-static void spread_out(const pm_model *model, const pm_constraint *c, const double *six, double *dense)
+/* Three numbers of a constraint for each of its bodies on all coordinates. */
+static void spread_out(const pm_model *model, const pm_constraint *c, const double *of, double *dense)
 {
     memset(dense, 0, (size_t)model->nq * sizeof *dense);
-    for (int p = 0; p < 2; p++)
-        for (int k = 0; k < 3 && c->body[p] != model->nbody; k++) dense[3 * c->body[p] + k] += six[3 * p + k];
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
+        for (int k = 0; k < 3 && c->body[p] != model->nbody; k++) dense[3 * c->body[p] + k] += of[3 * p + k];
 }
 
 static void constraints(const pm_model *model, pm_active_set *active, pm_ida_jacobian *x)
@@ -80,11 +80,12 @@ static void constraints(const pm_model *model, pm_active_set *active, pm_ida_jac
 }
 
 /* d(j^T reaction)/dq of one constraint, in stiffness. */
-static void add_bend(const pm_model *m, pm_ida_jacobian *x, const pm_constraint *c, double bend[6][6],
-                     double reaction)
+static void add_bend(const pm_model *m, pm_ida_jacobian *x, const pm_constraint *c,
+                     double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], double reaction)
 {
-    for (int i = 0; i < 6; i++)
-        for (int k = 0; k < 6; k++) {
+    const int n = 3 * pm_constraint_bodies(c);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++) {
             const int row = c->body[i / 3], column = c->body[k / 3];
             if (row == m->nbody || column == m->nbody) continue;
             x->stiffness[(3 * row + i % 3) * m->nq + 3 * column + k % 3] += reaction * bend[i][k];
@@ -96,7 +97,7 @@ static void add_bend(const pm_model *m, pm_ida_jacobian *x, const pm_constraint 
 static void bends(pm_workspace *w, pm_ida_jacobian *x, const double *v, int inner)
 {
     const pm_model *m = w->model;
-    double bend[6][6], turn[6];
+    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], turn[PM_CONSTRAINT_COORDINATES];
     for (int i = 0; i < w->active.n; i++) {
         const pm_constraint *c = &w->active.constraint[i];
         if (pm_constraint_is_inner(&w->numbers, c) != inner) continue;
@@ -141,7 +142,7 @@ static void lean(pm_workspace *w, pm_ida_jacobian *x, int k, const pm_constraint
 static void joint_friction(pm_workspace *w, pm_ida_jacobian *x, const double *v)
 {
     const pm_model *m = w->model;
-    double bend[6][6], turn[6];
+    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], turn[PM_CONSTRAINT_COORDINATES];
     for (int k = 0; k < m->nfriction; k++) {
         pm_constraint c;
         const int force = m->friction_force[k],
@@ -167,7 +168,7 @@ static void outer_forces(const pm_workspace *w, pm_ida_jacobian *x)
         const pm_constraint *c = &w->active.constraint[i];
         const double *h = w->active.asymmetric ? c->h : c->j;
         if (pm_constraint_is_inner(&w->numbers, c)) continue;
-        for (int k = 0; k < 6; k++)
+        for (int k = 0; k < 3 * pm_constraint_bodies(c); k++)
             if (c->body[k / 3] != w->model->nbody)
                 x->force[3 * c->body[k / 3] + k % 3] += w->frame.lambda[i] * h[k];
     }

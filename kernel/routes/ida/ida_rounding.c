@@ -32,7 +32,7 @@ int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, const pm_model *
 static double of_sum(const pm_model *m, const pm_constraint *c, const double *rounding)
 {
     double sum = 0;
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         for (int k = 0; k < 3 && c->body[p] != m->nbody; k++)
             sum += fabs(c->j[3 * p + k]) * rounding[3 * c->body[p] + k];
     return sum;
@@ -41,7 +41,7 @@ static double of_sum(const pm_model *m, const pm_constraint *c, const double *ro
 /* What a reaction of that size makes of x[nq], added. */
 static void pass_on(const pm_frame *frame, const pm_constraint *c, double reaction, double *rounding)
 {
-    for (int p = 0; p < 2; p++)
+    for (int p = 0; p < pm_constraint_bodies(c); p++)
         for (int k = 0; k < 3 && c->body[p] != frame->model->nbody; k++) {
             const int i = 3 * c->body[p] + k;
             rounding[i] += frame->numbers->inverse_mass[i] * fabs(c->j[3 * p + k]) * reaction;

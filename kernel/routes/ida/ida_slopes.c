@@ -116,12 +116,12 @@ void pm_ida_slopes_power(pm_workspace *w)
     }
 }
 
-void pm_ida_slopes_rub(pm_workspace *w, int z, const pm_constraint *c, const double turn[6], double size)
+void pm_ida_slopes_rub(pm_workspace *w, int z, const pm_constraint *c, const double *turn, double size)
 {
     pm_slope *slope = &w->ida->jacobian.slope->size;
     pm_slope_clear(slope);
-    pm_slope_add_pair(&w->frame, slope, c->body, turn, size, 0);
-    pm_slope_add_pair(&w->frame, slope, c->body, c->j, size, 1);
+    pm_slope_add_bodies(&w->frame, slope, pm_constraint_bodies(c), c->body, turn, size, 0);
+    pm_slope_add_bodies(&w->frame, slope, pm_constraint_bodies(c), c->body, c->j, size, 1);
     integral(w, z, slope, 1);
 }
 

@@ -142,7 +142,8 @@ static int is_missed(const pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++) {
         const int kind = PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND];
-        if (kind == PM_MEASURE_JOINT_IMPULSE || kind == PM_MEASURE_CONTACT_IMPULSE || kind == PM_MEASURE_LOST)
+        if (kind == PM_MEASURE_JOINT_IMPULSE || kind == PM_MEASURE_CONTACT_IMPULSE ||
+            kind == PM_MEASURE_CONTACT_TENSION_IMPULSE || kind == PM_MEASURE_LOST)
             return 1;
     }
     for (int i = 0; i < m->nask; i++) {

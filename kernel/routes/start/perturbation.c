@@ -141,8 +141,9 @@ static void find_island(pm_workspace *w)
     for (int more = 1; more;) {
         more = 0;
         for (int i = 0; i < w->active.n; i++)
-            more |= join(w->model, w->perturbation, w->active.constraint[i].body[0],
-                         w->active.constraint[i].body[1]);
+            for (int p = 1; p < pm_constraint_bodies(&w->active.constraint[i]); p++)
+                more |= join(w->model, w->perturbation, w->active.constraint[i].body[p - 1],
+                             w->active.constraint[i].body[p]);
         for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++) {
             const pm_action f = pm_force_action(w, i);
             more |= join(w->model, w->perturbation, f.body_a, f.body_b);

@@ -245,7 +245,7 @@ static double kicks(const pm_workspace *w, const pm_rest *r, const pm_constraint
 {
     const double lever = w->numbers.size + pm_contact_reach(w);
     double sum = 0;
-    for (int p = 0; p < 2; p++) {
+    for (int p = 0; p < pm_constraint_bodies(c); p++) {
         if (c->body[p] == w->model->nbody) continue;
         const double *d = w->uniform->series.change + 3 * c->body[p];
         sum += pm_length(d) + lever * fabs(d[2]);

@@ -38,6 +38,7 @@ _LATER = frozenset(
         layout.PM_MEASURE_CONTACT_FRICTION_NEEDED,
         layout.PM_MEASURE_CONTACT_FORCE,
         layout.PM_MEASURE_CONTACT_COUPLE,
+        layout.PM_MEASURE_CONTACT_TENSION,
     )
 )
 

@@ -174,7 +174,7 @@ def _couplings(made: HistoryColumns) -> Iterator[Act]:
                 name,
                 side,
                 force=_pair(name, "force", body) if vector else None,
-                couple=f"{name}.couple on {body}" if info.coupling.turns else None,
+                couple=f"{name}.couple on {body}" if info.coupling.acts_by_couple else None,
                 impulse=_pair(name, "impulse", body) if vector else None,
                 turn=None if vector else f"{name}.?",
             )
@@ -182,7 +182,7 @@ def _couplings(made: HistoryColumns) -> Iterator[Act]:
 
 def _strands(name: str, info: CouplingInfo) -> Iterator[Act]:
     """What pulls along strands."""
-    count = len(info.coupling.quantities["tension"].kinds) if info.index is not None else len(info.indices)
+    count = len(info.coupling.quantities["tension"].kinds) if info.index is not None else len(info.spans)
     owners = info.owners if len(info.owners) == count else info.owners * count
     for part in range(count):
         number = f"[{part + 1}]" if count > 1 else ""

@@ -55,6 +55,17 @@ _BOUNDS = (
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_KINETIC, 0),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_SLACK, 0),
+    _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_LEVER, 0),
+    *(
+        _Bound(
+            layout.PM_TABLE_CONTACT,
+            layout.PM_CONTACT_SLACK,
+            0,
+            above=True,
+            only=(layout.PM_CONTACT_KIND, kind),
+        )
+        for kind in (layout.PM_CONTACT_TEETH, layout.PM_CONTACT_RACK)
+    ),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STIFFNESS, 0, above=True),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_PRESSURE, 0, math.pi / 3),
     *(

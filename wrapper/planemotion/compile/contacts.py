@@ -14,15 +14,16 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.curves import CurveMark
 from ..geometry.drawn_rows import DrawnRows
+from ..geometry.friction import friction_law
 from ..geometry.marks import LineMark, RowMark
 from ..geometry.packing import Tables, over_time
 from ..geometry.pairs import is_pair, is_swapped, kernel_curve
-from ..geometry.parameters import Reader, is_zero
+from ..geometry.parameters import Reader
 from ..geometry.partners import Partner, different, kernel_circle, side, touching
 from ..language.dimensions import DIMENSIONLESS, STIFFNESS, VELOCITY
-from ..language.tree import ZERO, Node, Number
+from ..language.tree import Number
 from ..model.readers import Value
-from ..model.tables import Contact, Friction
+from ..model.tables import Contact
 from ..model.words import GROUND
 
 _ROUND = ("circle", "point")
@@ -193,49 +194,28 @@ class Contacts:
         sides = " or ".join(f"{one.owner}.{name}" for name in (*marks.lines, *marks.circles))
         return f'; "{one.owner}" alone is one point: did you mean {sides}?' if sides else ""
 
-    def _coefficient(self, written: Value, where: str) -> Node:
-        """One number for both; a single word that is no parameter was meant for a law."""
-        word = isinstance(written, str) and written.isidentifier()
-        if word and written not in self.reader.parameters.defaults:
-            raise SceneError(
-                'a number, "smooth", "rough", { static = ..., kinetic = ... } or a parameter is wanted',
-                path=where,
-                value=written,
-            )
-        return self.reader.number(written, where, DIMENSIONLESS)
-
     def _laws(self, contact: Contact, path: str) -> dict[int, int]:
         """Restitution and friction of a row."""
         restitution = self.reader.number(contact.restitution, f"{path}.restitution", DIMENSIONLESS)
-        law = layout.PM_FRICTION_COULOMB
-        static: Node = ZERO
-        kinetic: Node = ZERO
         where = f"{path}.friction"
-        if isinstance(contact.friction, Friction):
-            static = self.reader.number(contact.friction.static, f"{where}.static", DIMENSIONLESS)
-            kinetic = self.reader.number(contact.friction.kinetic, f"{where}.kinetic", DIMENSIONLESS)
-        elif contact.friction == "rough":
-            law = layout.PM_FRICTION_ROUGH
-        elif contact.friction != "smooth":
-            static = kinetic = self._coefficient(contact.friction, where)
-        if law == layout.PM_FRICTION_COULOMB and is_zero(static) and is_zero(kinetic):
-            law = layout.PM_FRICTION_SMOOTH
-        coulomb = law == layout.PM_FRICTION_COULOMB
+        friction = friction_law(self.reader, contact.friction, where)
         return {
             layout.PM_CONTACT_RESTITUTION: self.tables.value(restitution, f"{path}.restitution"),
-            layout.PM_CONTACT_FRICTION: law,
-            layout.PM_CONTACT_STATIC: self.tables.value(static, where) if coulomb else layout.PM_NONE,
-            layout.PM_CONTACT_KINETIC: self.tables.value(kinetic, where) if coulomb else layout.PM_NONE,
+            **friction.columns(self.tables, where),
             layout.PM_CONTACT_SPEED: self._surface_speed(contact, path),
             layout.PM_CONTACT_SLACK: layout.PM_NONE,
             layout.PM_CONTACT_SENSE_A: 1,
             layout.PM_CONTACT_SENSE_B: 1,
             layout.PM_CONTACT_CAPTURE: _CAPTURES[contact.capture],
-            layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, law, path),
+            layout.PM_CONTACT_TANGENTIAL: self._tangential(contact, friction.law, path),
             layout.PM_CONTACT_LAW: layout.pm_law[f"PM_LAW_{contact.law.upper()}"],
             layout.PM_CONTACT_PAINLEVE: _PAINLEVE[contact.painleve],
             layout.PM_CONTACT_STIFFNESS: self._stiffness(contact, path),
             layout.PM_CONTACT_PRESSURE: layout.PM_NONE,
+            layout.PM_CONTACT_RIM: layout.PM_NONE,
+            layout.PM_CONTACT_SENSE_RIM: layout.PM_NONE,
+            layout.PM_CONTACT_TURNS: layout.PM_NONE,
+            layout.PM_CONTACT_LEVER: layout.PM_NONE,
         }
 
     def _stiffness(self, contact: Contact, path: str) -> int:

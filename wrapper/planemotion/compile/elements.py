@@ -12,7 +12,7 @@ from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.drawing import PointRef
 from ..geometry.partners import Partner, pairs, partner
-from ..geometry.rows import CouplingRows
+from ..geometry.rows import CouplingRows, Span
 from ..geometry.writer import Writer
 from ..kinds.base import Bearing, BearingJoint, Coupling, Force, Joint, RubbingJoint
 from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MOMENT, VELOCITY
@@ -98,6 +98,16 @@ class CouplingInfo:
     @property
     def indices(self) -> tuple[int, ...]:
         return self.rows.indices
+
+    @property
+    def spans(self) -> tuple[Span, ...]:
+        """Its strands."""
+        return self.rows.spans or tuple(map(Span, self.rows.indices))
+
+    @property
+    def rims(self) -> tuple[int, ...]:
+        """Contacts of a cord over rims that it may slip on."""
+        return tuple(dict.fromkeys(span.index for span in self.spans if span.member != layout.PM_NONE))
 
     @property
     def owners(self) -> tuple[tuple[str, str], ...]:

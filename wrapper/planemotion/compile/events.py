@@ -19,6 +19,7 @@ from ..language.leaves import substitute
 from ..language.tree import Binary, Name, Node
 from ..model import words
 from ..model.tables import Event
+from .elements import CouplingInfo
 from .measures import Measures
 
 _CHANGE = re.compile(
@@ -210,9 +211,19 @@ class Instants:
     def _flank_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         """Triggers of both flanks of gears with backlash."""
         found = self.measures.scope.couplings[thing]
+        if found.kind == "cord" and change in words.RIM_CHANGES:
+            return self._rim_change(thing, change, found)
         if found.kind == "cord" or not found.indices or change not in words.CAPTURE_CHANGES:
             raise SceneError(f"{found.kind} do not {change[:-1] if change.endswith('s') else change}")
         return _CONTACT_TRIGGER[change], layout.PM_NONE, found.indices
+
+    def _rim_change(self, thing: str, change: str, cord: CouplingInfo) -> tuple[int, int, tuple[int, ...]]:
+        """Triggers of all rims that a cord may slip on."""
+        if not cord.rims:
+            raise SceneError(
+                f'the cord "{thing}" grips its rims: it neither slips nor sticks; give it friction'
+            )
+        return _CONTACT_TRIGGER[change], layout.PM_NONE, cord.rims
 
     def _cord_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         """Triggers of all strands of a cord."""

@@ -116,7 +116,7 @@ def _is_velocity(address: str) -> bool:
 
 def _coupling_quantities(coupling: CouplingInfo) -> tuple[str, ...]:
     """Its columns; of strands, those of each."""
-    count = len(coupling.indices)
+    count = len(coupling.spans)
     spans = [f"[{span}]" for span in range(1, count + 1)] if count > 1 else [""]
     return tuple(
         f"{quantity}{span}"

@@ -124,31 +124,53 @@ class ElementMeasures:
         if source.vector:
             return self._of_strands(address, cord, source)
         self.rows.ends(address, 1)
+        if source.on:
+            return self._couple_of_flanks(address, cord, source)
         self.rows.plain(address, ())
-        kind, index = _of_strand(source), cord.indices[self._span(address, len(cord.indices))]
-        return Reading(self.rows.leaf(kind, index, address, part=source.part), source.dimension)
+        if source.of_rims:
+            return self._of_rim(address, cord, source)
+        span = cord.spans[self._span(address, len(cord.spans))]
+        if source.rim is not None and span.member != layout.PM_NONE:
+            leaf = self.rows.leaf(source.rim, span.index, address, member=span.member)
+        else:
+            leaf = self.rows.leaf(_of_strand(source), span.index, address, part=source.part)
+        return Reading(leaf, source.dimension)
+
+    def _couple_of_flanks(self, address: Address, gears: CouplingInfo, source: Quantity) -> Reading:
+        """The couple of the friction of teeth, whichever flank pushes."""
+        self.rows.plain(address, ("on",))
+        on = self.rows.on(address, gears.bodies)
+        leaves = [self.rows.leaf(_of_strand(source), index, address, on=on) for index in gears.indices]
+        return Reading(sum(leaves[1:], leaves[0]), source.dimension)
+
+    def _of_rim(self, address: Address, cord: CouplingInfo, source: Quantity) -> Reading:
+        """A quantity of a rim that a cord may slip on; of several, in their order."""
+        if not cord.rims:
+            raise SceneError(f'"{address}": {address.thing} grips its rims; with friction it may slip')
+        index = cord.rims[self._span(address, len(cord.rims), "rim")]
+        return Reading(self.rows.leaf(source.kinds[0], index, address), source.dimension)
 
     def _of_strands(self, address: Address, cord: CouplingInfo, source: Quantity) -> Reading:
         """The force of a cord on one of its partners: by all strands that end there."""
         on = address.on or cord.bodies[0]
         if on not in cord.bodies:
             raise SceneError(f'"{address}": {address.thing} acts on {" and ".join(cord.bodies)}, not on {on}')
-        strands = [i for i, pair in zip(cord.indices, cord.owners, strict=True) if on in pair]
-        rows = [(_of_strand(source), index) for index in strands]
+        strands = [span.index for span, pair in zip(cord.spans, cord.owners, strict=True) if on in pair]
+        rows = [(_of_strand(source), index) for index in dict.fromkeys(strands)]
         body = self.rows.drawing.body_index(on)
         return self.rows.vector(
             address, address.path[1:], rows, source.dimension, ("in", "on", "along"), body
         )
 
-    def _span(self, address: Address, count: int) -> int:
-        """Which strand is meant, from 0."""
+    def _span(self, address: Address, count: int, what: str = "strand") -> int:
+        """Which strand, or rim, is meant, from 0."""
         if address.member is None:
             if count == 1:
                 return 0
             name = f"{address.thing}.{address.path[0]}"
-            raise SceneError(f'"{address}": which strand? there are {name}[1] to [{count}]')
+            raise SceneError(f'"{address}": which {what}? there are {name}[1] to [{count}]')
         if not 1 <= address.member <= count:
-            raise SceneError(f'"{address}": the strands are [1] to [{count}]')
+            raise SceneError(f'"{address}": the {what}s are [1] to [{count}]')
         return address.member - 1
 
     def contact(self, address: Address, contact: ContactInfo) -> Reading:

@@ -38,6 +38,8 @@ _AFTER_FORCES = frozenset(
         "CONTACT_FORCE",
         "CONTACT_COUPLE",
         "CONTACT_IMPULSE",
+        "CONTACT_TENSION",
+        "CONTACT_TENSION_IMPULSE",
         "FORCE_FORCE",
         "FORCE_COUPLE",
         "FORCE_POWER",

@@ -280,8 +280,11 @@ _DESCRIPTIONS: dict[int, Any] = {
         'what was answered before stands; end the run before it, or try solve.route = "path"'
     ),
     layout.PM_STRAND_ENDS: lambda place, found, bound: (
-        f"{place}: at t = {found:.6g} s no free length is left of the cord: what it pulls has reached the "
-        "drum, or its tangent point; what was answered before stands; end the run before it"
+        f"{place}: at t = {found:.6g} s the cord leaves the rim that it may slip on: nothing is left of its "
+        "wrap; what was answered before stands; end the run before it"
+        if bound
+        else f"{place}: at t = {found:.6g} s no free length is left of the cord: what it pulls has reached "
+        "the drum, or its tangent point; what was answered before stands; end the run before it"
     ),
     layout.PM_TABLE_ENDS: lambda place, found, bound: (
         f"{place}: it ends at {bound:.6g} and is read at {found:.6g} (SI); what was answered before "

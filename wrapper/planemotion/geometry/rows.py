@@ -5,7 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from .. import _layout as layout
 from ..language.tree import Node
+
+
+@dataclass(frozen=True)
+class Span:
+    """A strand: its row of the contact table, and which of the two it is of a cord over a rim, 0 or 1."""
+
+    index: int
+    member: int = layout.PM_NONE
 
 
 @dataclass(frozen=True)
@@ -13,12 +22,13 @@ class CouplingRows:
     """Where the rows of a coupling are, and whose they are.
 
     `index`: its row of the joint table; None where its strands are the contacts `indices`.  `owners`: of its
-    partners; of strands, those of each.
+    partners; of strands, those of each.  `spans`: of a cord, the contact of each strand and its number there.
     """
 
     index: int | None
     indices: tuple[int, ...]
     owners: tuple[tuple[str, str], ...]
+    spans: tuple[Span, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -87,7 +87,7 @@ class Coupling(Kind):
         """Draws it; gives the place that its name belongs to."""
 
     @property
-    def turns(self) -> bool:
+    def acts_by_couple(self) -> bool:
         """Whether a couple acts on its partners."""
         return "couple" in self.quantities
 

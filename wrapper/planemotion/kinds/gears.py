@@ -13,6 +13,7 @@ from pydantic import BeforeValidator
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.marks import CircleMark, LineMark
+from ..geometry.parameters import is_zero
 from ..geometry.partners import Partner, kernel_circle, pairs, partner, side
 from ..geometry.push import Push
 from ..geometry.rows import CouplingRows
@@ -37,7 +38,9 @@ class Gears(Coupling):
         "impulse": Quantity(
             (layout.PM_MEASURE_JOINT_IMPULSE,), IMPULSE, vector=True, strand=layout.PM_MEASURE_CONTACT_IMPULSE
         ),
-        "couple": Quantity((layout.PM_MEASURE_JOINT_COUPLE,), MOMENT, on=True),
+        "couple": Quantity(
+            (layout.PM_MEASURE_JOINT_COUPLE,), MOMENT, on=True, strand=layout.PM_MEASURE_CONTACT_COUPLE
+        ),
     }
     columns = ("force.x", "force.y")
     partners: Partners
@@ -50,13 +53,18 @@ class Gears(Coupling):
 
     def rows(self, to: Writer, path: str) -> CouplingRows:
         a, b = self._pair(to, path)
-        if self.backlash is not None:
+        if self.backlash is not None and not self._is_zero(to, path):
             return self._flanks(to, a, b, path)
-        if "restitution" in self.model_fields_set:
+        if "restitution" in self.model_fields_set and self.backlash is None:
             raise SceneError("teeth without backlash do not strike each other", path=f"{path}.restitution")
         index = self._mesh(to, a, b, path)
         self._rub(to, a, b, index, path)
         return CouplingRows(index, (), ((a.owner, b.owner),))
+
+    def _is_zero(self, to: Writer, path: str) -> bool:
+        """Without backlash one flank or the other always pushes.  One that varies is told by the kernel."""
+        assert self.backlash is not None
+        return is_zero(to.reader.number(self.backlash, f"{path}.backlash", LENGTH))
 
     def _pair(self, to: Writer, path: str) -> tuple[Partner, Partner]:
         """A wheel, and another one or a rack."""
@@ -87,9 +95,6 @@ class Gears(Coupling):
 
     def _flanks(self, to: Writer, a: Partner, b: Partner, path: str) -> CouplingRows:
         """A contact for each flank; the first pushes a along the tangent, left of the line from b to a."""
-        for key in ("efficiency", "friction"):
-            if key in self.model_fields_set:
-                raise SceneError("not built yet: friction of teeth with backlash", path=f"{path}.{key}")
         where = f"{path}.backlash"
         assert self.backlash is not None
         backlash = to.reader.number(self.backlash, where, LENGTH)
@@ -101,7 +106,7 @@ class Gears(Coupling):
                 to.reader.number(self.restitution, f"{path}.restitution", DIMENSIONLESS),
                 f"{path}.restitution",
             ),
-            layout.PM_CONTACT_FRICTION: layout.PM_FRICTION_SMOOTH,
+            **self._friction_of_flanks(to, a, b, path),
             layout.PM_CONTACT_SLACK: to.tables.value(0.5 * backlash * cos(angle), where),
             layout.PM_CONTACT_PRESSURE: to.tables.value(angle, f"{path}.pressure_angle"),
             layout.PM_CONTACT_LAW: layout.PM_LAW_NEWTON,
@@ -124,32 +129,53 @@ class Gears(Coupling):
         )
         return CouplingRows(None, indices, ((a.owner, b.owner),) * 2)
 
+    def _friction_of_flanks(self, to: Writer, a: Partner, b: Partner, path: str) -> dict[int, int]:
+        """A coefficient, and the lever at which the teeth slide."""
+        rubbing = self._rubbing(to, a, b, path)
+        if rubbing is None:
+            return {layout.PM_CONTACT_FRICTION: layout.PM_FRICTION_SMOOTH}
+        mu, lever, where = rubbing
+        return {
+            layout.PM_CONTACT_FRICTION: layout.PM_FRICTION_COULOMB,
+            layout.PM_CONTACT_STATIC: to.tables.value(mu, where),
+            layout.PM_CONTACT_KINETIC: to.tables.value(mu, where),
+            layout.PM_CONTACT_LEVER: to.tables.value(lever, where),
+        }
+
     def _angle(self, to: Writer, path: str) -> Node:
         if self.pressure_angle is None:
             return ZERO
         return to.reader.number(self.pressure_angle, f"{path}.pressure_angle", DIMENSIONLESS)
 
     @property
-    def turns(self) -> bool:
+    def acts_by_couple(self) -> bool:
         return self.efficiency is not None or self.friction is not None
 
     def _rub(self, to: Writer, a: Partner, b: Partner, index: int, path: str) -> None:
         """The couple between the wheels that goes with the force of the teeth."""
+        rubbing = self._rubbing(to, a, b, path)
+        if rubbing is not None:
+            mu, lever, where = rubbing
+            values = ((ZERO, where), (mu * lever, where))
+            to.force(layout.PM_FORCE_FRICTION, index, index, where, values=values)
+
+    def _rubbing(self, to: Writer, a: Partner, b: Partner, path: str) -> tuple[Node, Node, str] | None:
+        """A coefficient, its lever, and the key that they come from."""
         if self.friction is not None and self.efficiency is not None:
             raise SceneError("give friction or efficiency, not both", path=f"{path}.efficiency")
         if self.friction is not None:
             where = f"{path}.friction"
             mu = to.reader.number(self.friction.mu, f"{where}.mu", DIMENSIONLESS)
-            arm = mu * to.reader.number(self.friction.radius, f"{where}.radius", LENGTH)
+            lever = to.reader.number(self.friction.radius, f"{where}.radius", LENGTH)
         elif self.efficiency is not None:
             where = f"{path}.efficiency"
-            arm = self._arm(to, a, b, self._share(to, where), path)
+            mu, lever = ONE, self._arm(to, a, b, self._share(to, where), path)
         else:
-            return
+            return None
         for one in (a, b):
             if isinstance(one.mark, CircleMark) and not to.rotates(one.owner):
                 raise SceneError(f'"{one.owner}" does not rotate: its teeth do not slide', path=where)
-        to.force(layout.PM_FORCE_FRICTION, index, index, where, values=((ZERO, where), (arm, where)))
+        return mu, lever, where
 
     def _share(self, to: Writer, where: str) -> Node:
         assert self.efficiency is not None

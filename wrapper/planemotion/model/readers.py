@@ -263,6 +263,11 @@ def read_friction(written: Any) -> Any:
     return read_value(written)
 
 
+def read_cord_friction(written: Any) -> Any:
+    """The friction of a rim, or a list of those of all rims between the ends."""
+    return tuple(map(read_friction, written)) if isinstance(written, list | tuple) else read_friction(written)
+
+
 def read_joint_friction(written: Any) -> Any:
     """A number, or the coefficient and the radius of a bearing."""
     if isinstance(written, Mapping):

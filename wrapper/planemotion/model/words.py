@@ -29,6 +29,7 @@ SHARED = ("none", "least")
 LAWS = ("newton", "poisson", "stronge")
 ROUTES = ("auto", "state", "jump", "uniform", "path", "rk", "ida")
 
+RIM_CHANGES = ("slips", "sticks")  # of a cord on a rim
 CONTACT_CHANGES = ("strikes", "opens", "slips", "sticks")
 CORD_CHANGES = ("slackens", "tightens")
 CAPTURE_CHANGES = ("strikes", "opens")

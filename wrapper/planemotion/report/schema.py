@@ -46,6 +46,7 @@ _BARE: Mapping[Callable[..., Any], list[Schema]] = {
     readers.read_swept: [{"type": "array", "items": _VALUE}],
     readers.read_friction: [_VALUE],
     readers.read_joint_friction: [_VALUE],
+    readers.read_cord_friction: [_VALUE],
     readers.read_at: [_TEXT],
     readers.read_ask: [_VALUE],
     readers.read_event: [_TEXTS],

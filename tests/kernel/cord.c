@@ -1,0 +1,184 @@
+/* A cord that slips on a rim, against closed forms on the routes that do them: two weights over a disk, which the cord passes
+ * faster or slower than it turns until it holds, with static friction above the kinetic one; a jerk over a peg; a cord that is
+ * pulled off its peg.  Tensions obey T_2 = T_1 e^(mu wrap). */
+#include "check.h"
+#include "scene.h"
+
+#define PI 3.14159265358979324
+#define GRAVITY 9.81
+
+static const double radius = 0.1, heavy = 1.7, light = 1.3, inertia = 0.02, mu_static = 0.5, mu_kinetic = 0.4;
+static const int sense[3] = {1, 1, -1};
+
+typedef struct weights {
+    scene *s;
+    int body[2], point[2], disk, cord;
+} weights;
+
+/* They hang at the left and the right of a disk, or of a peg. */
+static weights weights_create(int route, double m, double other, int on_disk, double turns)
+{
+    weights x = {.s = scene_create(), .disk = PM_GROUND};
+    const double mass[2] = {m, other};
+    int circle[2];
+    scene_set(x.s, PM_SETTING_GRAVITY_Y, -GRAVITY);
+    *scene_setting(x.s, PM_SETTING_ROUTE) = route;
+    for (int i = 0; i < 2; i++) {
+        x.body[i] = scene_body(x.s, mass[i], 1, (i ? 1 : -1) * radius, -2, 0);
+        x.point[i] = scene_point(x.s, x.body[i], 0, 0);
+        circle[i] = scene_circle(x.s, x.point[i], 0);
+    }
+    if (on_disk) x.disk = scene_body(x.s, 2, inertia, 0, 0, 0);
+    const int centre = scene_point(x.s, x.disk, 0, 0);
+    if (on_disk) scene_joint(x.s, PM_JOINT_PIN, centre, scene_point(x.s, PM_GROUND, 0, 0), 0);
+    x.cord = scene_cord_over(x.s, circle[0], circle[1], scene_circle(x.s, centre, radius), sense, turns,
+                             mu_static, mu_kinetic);
+    return x;
+}
+
+static int ask_tension(scene *s, int cord, int strand)
+{
+    return scene_ask_measure(
+        s, scene_measure_with(s, PM_MEASURE_CONTACT_TENSION, cord, PM_PART_NONE, PM_MEASURE_MEMBER, strand));
+}
+
+static void hold_still(weights *x)
+{
+    for (int i = 0; i < 2; i++) {
+        scene_start_velocity(x->s, x->point[i], 0, 0);
+        scene_start_omega(x->s, x->body[i], 0);
+    }
+}
+
+/* The disk turns at first; the cord slips on it until it holds. */
+static void slows_down(int route, double omega)
+{
+    weights x = weights_create(route, light, heavy, 1, 0);
+    scene *s = x.s;
+    const double factor = exp((omega > 0 ? 1 : -1) * mu_kinetic * PI);
+    const double a = GRAVITY * (heavy - factor * light) / (heavy + factor * light);
+    const double pull[2] = {light * (GRAVITY + a), heavy * (GRAVITY - a)};
+    const double alpha = (pull[0] - pull[1]) * radius / inertia;
+    const double stop = -radius * omega / (a + radius * alpha);
+    const double later = GRAVITY * (heavy - light) / (heavy + light + inertia / (radius * radius));
+    hold_still(&x);
+    scene_start_omega(s, x.disk, omega);
+    scene_until_time(s, 2 * stop);
+    const int down = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, x.point[1], PM_PART_Y));
+    const int spin = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, x.disk));
+    const int tension[2] = {ask_tension(s, x.cord, 0), ask_tension(s, x.cord, 1)};
+    const int force = scene_ask_measure(s, scene_part(s, PM_MEASURE_CONTACT_FORCE, x.cord, PM_PART_Y));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double v = (a + later) * stop;
+    NEAR(s->out[down], -v, 1e-9);
+    NEAR(s->out[spin], -v / radius, 1e-8);
+    NEAR(s->out[tension[0]], light * (GRAVITY + later), 1e-8);
+    NEAR(s->out[tension[1]], heavy * (GRAVITY - later), 1e-8);
+    NEAR(s->out[force], light * (GRAVITY + later), 1e-8);
+    CHECK(s->audit[PM_AUDIT_MOMENTUM] < 1e-9);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-9);
+    scene_free(s);
+}
+
+/* On a peg, with some turns: it holds up to e^(mu_static wrap), and slips with mu_kinetic. */
+static void on_a_peg(int route, double turns, double share, int on_left)
+{
+    const double wrap = PI + 2 * PI * turns, most = exp(mu_static * wrap), factor = exp(mu_kinetic * wrap);
+    const double great = light * share * most;
+    weights x = weights_create(route, on_left ? great : light, on_left ? light : great, 0, turns);
+    scene *s = x.s;
+    scene_until_time(s, 0.3);
+    const int tension[2] = {ask_tension(s, x.cord, on_left), ask_tension(s, x.cord, !on_left)};
+    const int slip = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_SLIP, x.cord));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double a = share > 1 ? GRAVITY * (great - factor * light) / (great + factor * light) : 0;
+    NEAR(s->out[slip], (on_left ? -0.3 : 0.3) * a, 1e-9);
+    NEAR(s->out[tension[0]], light * (GRAVITY + a), 1e-8);
+    NEAR(s->out[tension[1]], great * (GRAVITY - a), 1e-8 * great);
+    scene_free(s);
+}
+
+/* They swing while the cord slips: at the end the tensions stand in the ratio of the wrap that is left then. */
+static void swings(int route)
+{
+    weights x = weights_create(route, light, 4 * heavy, 0, 0);
+    scene *s = x.s;
+    for (int i = 0; i < 2; i++) {
+        scene_start_velocity(s, x.point[i], i ? 0 : -1.5, 0);
+        scene_start_omega(s, x.body[i], 0);
+    }
+    scene_until_time(s, 0.3);
+    const int tension[2] = {ask_tension(s, x.cord, 0), ask_tension(s, x.cord, 1)};
+    int place[4];
+    for (int i = 0; i < 4; i++)
+        place[i] = scene_ask_measure(
+            s, scene_part(s, PM_MEASURE_POSITION, x.point[i / 2], i % 2 ? PM_PART_Y : PM_PART_X));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    double turn[2]; /* from straight down, outwards */
+    for (int i = 0; i < 2; i++) {
+        const double px = (i ? 1 : -1) * s->out[place[2 * i]], py = s->out[place[2 * i + 1]];
+        turn[i] = atan2(px, -py) - asin(radius / hypot(px, py));
+    }
+    const double wrap = PI - turn[0] - turn[1];
+    CHECK(fabs(wrap - PI) > 0.05);
+    NEAR(log(s->out[tension[1]] / s->out[tension[0]]), mu_kinetic * wrap, 1e-9);
+    scene_free(s);
+}
+
+/* A weight that falls jerks the other one up: the impulses, too, stand in the ratio of the capstan. */
+static void jerk(void)
+{
+    weights x = weights_create(PM_ROUTE_AUTO, light, heavy, 0, 0);
+    scene *s = x.s;
+    const double speed = 1.2;
+    hold_still(&x);
+    s->rows[PM_TABLE_START] -= 3; /* of the weight that falls */
+    scene_start_velocity(s, x.point[1], 0, -speed);
+    scene_start_omega(s, x.body[1], 0);
+    scene_until_time(s, 1e-3);
+    const int impulse[2] = {
+        scene_ask_measure(s, scene_measure_with(s, PM_MEASURE_CONTACT_TENSION_IMPULSE, x.cord, PM_PART_NONE,
+                                                PM_MEASURE_MEMBER, 0)),
+        scene_ask_measure(s, scene_measure_with(s, PM_MEASURE_CONTACT_TENSION_IMPULSE, x.cord, PM_PART_NONE,
+                                                PM_MEASURE_MEMBER, 1))};
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double factor = exp(mu_kinetic * PI), up = heavy * speed / (heavy + factor * light);
+    NEAR(s->out[impulse[0]], light * up, 1e-12);
+    NEAR(s->out[impulse[1]], factor * light * up, 1e-12);
+    scene_free(s);
+}
+
+/* Drawn straight the cord leaves its peg. */
+static void leaves(void)
+{
+    weights x = weights_create(PM_ROUTE_RK, 1, 1, 0, 0);
+    scene *s = x.s;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    for (int i = 0; i < 2; i++)
+        SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_APPLIED, x.point[i], PM_GROUND, PM_NONE, PM_NONE,
+                  SCENE_PROGRAM(s, scene_k(s, i ? 5 : -5)), SCENE_PROGRAM(s, scene_k(s, 0.5)),
+                  PM_SPRING_BOTH);
+    scene_until_time(s, 10);
+    EQUAL(scene_run(s, NULL), PM_STRAND_ENDS);
+    EQUAL(s->detail[1], 1);
+    scene_free(s);
+}
+
+int main(void)
+{
+    static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int i = 0; i < 3; i++) {
+        slows_down(routes[i], 12);
+        slows_down(routes[i], -9);
+        swings(routes[i]);
+        for (int left = 0; left < 2; left++) {
+            on_a_peg(routes[i], 0, 0.999, left);
+            on_a_peg(routes[i], 0, 1.001, left);
+            on_a_peg(routes[i], 1, 0.999, left);
+            on_a_peg(routes[i], 1, 1.001, left);
+        }
+    }
+    jerk();
+    leaves();
+    return check_failures();
+}
