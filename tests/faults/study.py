@@ -49,6 +49,12 @@ FAULTS = [
         "if (value * last < -1e300) status = close_bracket",
     ),
     Fault(
+        "find: signs of loose samples are taken as they are",
+        "study/find_sample.c",
+        "return f->nzero > 0 ? confirm(w) : PM_OK;",
+        "return PM_OK;",
+    ),
+    Fault(
         "find: two roots between samples are not looked for",
         "study/find.c",
         "if (!status && i > 1 && value * last > 0",
@@ -95,5 +101,17 @@ FAULTS = [
         "study/margin.c",
         "x->in_time != y->in_time",
         "x->in_time > 2",
+    ),
+    Fault(
+        "accuracy: a run beside a looser one is told no error",
+        "study/judge.c",
+        "return e->other->coarse ? share : fmin(1, share);",
+        "return e->other->coarse ? share : 0;",
+    ),
+    Fault(
+        "accuracy: errors of another kind go with the tolerance",
+        "study/judge.c",
+        "off > fmax(PM_SCALES_ERRORS",
+        "off > 1e300 * fmax(PM_SCALES_ERRORS",
     ),
 ]
