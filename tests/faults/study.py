@@ -52,7 +52,7 @@ FAULTS = [
         "find: signs of loose samples are taken as they are",
         "study/find_sample.c",
         "return f->nzero > 0 ? confirm(w) : PM_OK;",
-        "return PM_OK;",
+        "return f->nzero > 0 && f->samples < 0 ? confirm(w) : PM_OK;",
     ),
     Fault(
         "find: two roots between samples are not looked for",

@@ -214,7 +214,7 @@ def test_8_rest_on_an_incline_is_decided(route: str, slope: float) -> None:
 
 
 def _dragged(p: dict[str, float]) -> tuple[float, float]:
-    """17.11 by hand, in feet: how far the block goes if its cord is long enough; the speed of the cylinder before it lands."""
+    """17.11 by hand, in feet: the block's way if its cord is long enough, and its cylinder's speed."""
     g, r, q = 32.2, p["r_outer"] / 12, 0.5
     pulley, drag = 30 / g * (p["k_pulley"] / 12) ** 2, 0.25 * 20 * q
     alpha = (p["W_A"] * r - drag) / (pulley + p["W_A"] / g * r**2 + 20 / g * q**2)
