@@ -102,16 +102,4 @@ FAULTS = [
         "x->in_time != y->in_time",
         "x->in_time > 2",
     ),
-    Fault(
-        "accuracy: a run beside a looser one is told no error",
-        "study/judge.c",
-        "return e->other->coarse ? share : fmin(1, share);",
-        "return e->other->coarse ? share : 0;",
-    ),
-    Fault(
-        "accuracy: errors of another kind go with the tolerance",
-        "study/judge.c",
-        "off > fmax(PM_SCALES_ERRORS",
-        "off > 1e300 * fmax(PM_SCALES_ERRORS",
-    ),
 ]
