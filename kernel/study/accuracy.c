@@ -258,6 +258,7 @@ static int steps_go_with_tolerance(const pm_phase *phase, const pm_pass *loose, 
 static int judge_beside_before(pm_workspace *w, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
+    if (pm_evidence_has_series(e->main) || pm_evidence_has_series(e->spare)) return 0; /* both cut it alike */
     if (w->evidence.seeks || !(w->phase.route->steps_by_tolerance > 0) ||
         !steps_go_with_tolerance(&w->phase, e->spare, e->main))
         return 0;
