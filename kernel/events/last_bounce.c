@@ -56,10 +56,17 @@ static int is_resolved(const pm_workspace *w, int contact)
            !pm_bounce_series_is_of_several(w, contact);
 }
 
+/* What parts no faster than this has no speed, however well the route knows places; in a coarse run earlier, as with the others:
+ * the blows that are lost have been waited for, and that shows what is made of them. */
+static double least_speed(const pm_workspace *w)
+{
+    return w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER * pm_contact_speed(&w->frame) : 0;
+}
+
 double pm_last_bounce_restitution(const pm_workspace *w, int contact, double approach)
 {
     const double e = pm_contact_restitution(&w->frame, contact);
-    return e * -approach > last_speed(w, contact) || is_resolved(w, contact) ? e : 0;
+    return e * -approach > (is_resolved(w, contact) ? least_speed(w) : last_speed(w, contact)) ? e : 0;
 }
 
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)

@@ -363,6 +363,9 @@
 #define PM_ACCURACY_AIM 0.1 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
 #define PM_ACCURACY_OF_TERMS 4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
 #define PM_ACCURACY_OF_STEP 2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
+#define PM_ACCURACY_NEIGHBOURS 8 /* part of a list that is known no better than its worst value; more: errors that are small by chance are believed */
+#define PM_SCALES_STEPS 0.6 /* of the power by which steps should grow with the tolerance: other limits chose them below; less: rounding is taken for the error of a method */
+#define PM_SCALES_ERRORS 10.0 /* times the error that should be left at a tighter tolerance: it is of another kind beyond; more: such errors are told too small */
 #define PM_ACCURACY_PAYS 0.8 /* of the errors before: what a tighter pass must leave to pay; more: passes that gain little */
 #define PM_ACCURACY_LONGER 12 /* times the steps of the first pass: no later one is waited for any longer; more: slower */
 #define PM_ACCURACY_FEW_STEPS 300 /* steps that any pass may take besides; likewise */
@@ -370,6 +373,7 @@
 #define PM_MARGIN_SAME_BLOW 1.5 /* between the speeds of approach of two passes: more, and they are other blows of a series; larger: right answers are called undecided */
 #define PM_MARGIN_LEAST 2.2e-16 /* of the natural size: least difference of two passes; more: smaller margins */
 #define PM_FIND_PROBE 1e-3 /* of the distance of samples: shows whether the ask gets better off an end; more: beyond a peak */
+#define PM_FIND_LOOSE 1e-6 /* tolerance of samples whose sign alone counts; larger: more of them are run again; less: slower */
 #define PM_FIND_TIE 1e-9  /* of their size: extremes that differ by less are several; more: more remarks */
 #define PM_FIND_SAME 1e-9 /* of the bounds' distance: places that are one; more: takes two for one */
 #define PM_FIND_OUTCOME 5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: errors estimated larger */

@@ -42,7 +42,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     begin_log(&p->log);
 }
 
-double pm_evidence_tolerance(const pm_workspace *w)
+static double of_pass(const pm_workspace *w)
 {
     const pm_evidence *e = &w->evidence;
     if (!e->active) return w->numbers.accuracy;
@@ -51,6 +51,8 @@ double pm_evidence_tolerance(const pm_workspace *w)
              w->phase.route->finest);
     return e->present->coarse ? PM_COARSER * tightest : tightest;
 }
+
+double pm_evidence_tolerance(const pm_workspace *w) { return fmax(of_pass(w), w->evidence.loosest); }
 
 int pm_evidence_is_coarse(const pm_evidence *evidence)
 {

@@ -52,6 +52,8 @@ typedef struct pm_route_ops {
         pm_workspace *w); /* at the frame, where the constraints are singular; 0: it cannot; NULL: never */
     double finest;        /* tolerance below which it does not get better */
     double spread;        /* how far its errors scatter about what goes with the tolerance, as a factor */
+    double
+        steps_by_tolerance; /* their number goes with its reciprocal to this power; 0: errors of another kind */
     int locates_contacts; /* it ends its steps where functions of contacts are zero; the others are sampled */
     int sees_ends;        /* a step sees what drives it at its end alone, not in between */
     int in_time;          /* its progress coordinate is the time */

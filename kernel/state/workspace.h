@@ -172,6 +172,7 @@ typedef struct pm_evidence {
     int pattern;                   /* by which what is read is shifted (study/natural_size.c) */
     double late;                   /* of the main pass, in its coarse run: that of pm_pass */
     double most_steps;             /* of a pass: what takes longer does not pay */
+    double loosest; /* tolerance that is enough for the present run of a find; 0: that of the pass */
     struct pm_pass *present;
 } pm_evidence;
 

@@ -52,9 +52,9 @@ static int create(pm_workspace *w)
 #define OF_EACH_PASS(array, count) \
     PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
     const pm_array array[] = {
-        OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),  OF_EACH_PASS(more, m->nout),
-        OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask), PM_ARRAY(e->kept, m->nout),
-        PM_ARRAY(e->discrete, m->nask),
+        OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),     OF_EACH_PASS(more, m->nout),
+        OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask),    PM_ARRAY(e->kept, m->nout),
+        PM_ARRAY(e->discrete, m->nask),      PM_ARRAY(e->neighbours, m->nout),
     };
 #undef OF_EACH_PASS
     if (pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_natural_size_create(w, &e->size) || create_logs(w))
@@ -242,25 +242,63 @@ static void go_back(pm_workspace *w, const double *param, const double *before, 
         make_pass(w, param, e->spare, e->main->factor, 0);
 }
 
-/* One pass at a tighter tolerance, with a coarse run of its own, becomes the main one, unless it is no better: then all stays
- * as it was.  Whether a further one may pay.  The last pass would not do for a comparison: it is rounded alike, or as it
- * happens, and nobody would see what the scene makes of rounding. */
+/* Whether the tolerance alone chose the steps of two main passes: then each step errs far more than it is rounded. */
+static int steps_go_with_tolerance(const pm_phase *phase, const pm_pass *loose, const pm_pass *tight)
+{
+    const int64_t alone = (int64_t)1 << phase->route->route;
+    if (loose->count[PM_COUNT_ROUTES] != alone || tight->count[PM_COUNT_ROUTES] != alone) return 0;
+    const double growth = log((double)tight->count[PM_COUNT_STEPS] / (double)loose->count[PM_COUNT_STEPS]);
+    return growth >=
+           PM_SCALES_STEPS * phase->route->steps_by_tolerance * log(loose->tolerance / tight->tolerance);
+}
+
+/* The main pass before, in e->spare, may do for a comparison: where errors go with the tolerance its difference is its own error,
+ * as its coarse run has shown, and that of the main pass is known from both.  Elsewhere nobody would see what the scene makes of
+ * rounding: both passes are rounded alike, or as it happens. */
+static int judge_beside_before(pm_workspace *w, double *error, double *trust)
+{
+    pm_accuracy *e = w->accuracy;
+    if (pm_evidence_has_series(e->main) || pm_evidence_has_series(e->spare)) return 0; /* both cut it alike */
+    if (w->evidence.seeks || !(w->phase.route->steps_by_tolerance > 0) ||
+        !steps_go_with_tolerance(&w->phase, e->spare, e->main))
+        return 0;
+    swap(&e->other, &e->spare);
+    e->before = e->other;
+    e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
+    if (pm_judge_goes_with_tolerance(w)) {
+        pm_judge(w, error, trust);
+        if (trust[PM_TRUST_MARGIN] >= 1) return 1;
+    }
+    swap(&e->other, &e->spare);
+    return 0;
+}
+
+static int judge_by_coarse(pm_workspace *w, const double *param, double *error, double *trust)
+{
+    w->accuracy->before = w->accuracy->spare;
+    if (!find_coarse(w, param)) return 0;
+    pm_judge(w, error, trust);
+    return 1;
+}
+
+/* One pass at a tighter tolerance becomes the main one, unless it is no better: then all stays as it was.  Whether a further one
+ * may pay. */
 static int refine(pm_workspace *w, const double *param, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
-    const double before[PM_TRUSTS] = {
+    double before[PM_TRUSTS] = {
         [PM_TRUST_MARGIN] = trust[PM_TRUST_MARGIN], [PM_TRUST_EXCESS] = trust[PM_TRUST_EXCESS]};
     const pm_closest closest = e->closest;
     memcpy(e->kept, error, (size_t)w->model->nout * sizeof *error);
     make_pass(w, param, e->spare, next_factor(e->main->factor, trust), 0);
     int better = stands(e->spare) && !took_too_long(&w->evidence, e->spare);
+    if (better && e->spare->outcome == e->main->outcome) before[PM_TRUST_EXCESS] = pm_judge_again(w, e->kept);
     if (better) {
         swap(&e->main, &e->spare);
         find_sizes(w);
-        better = find_coarse(w, param);
-        if (better) pm_judge(w, error, trust);
+        better = judge_beside_before(w, error, trust) || judge_by_coarse(w, param, error, trust);
         better = better && is_better(trust, before);
-        if (!better) swap(&e->main, &e->spare);
+        if (!better) swap(&e->main, e->before == e->other ? &e->other : &e->spare);
     }
     if (better) return has_paid(e, trust, before, &closest);
     e->closest = closest;
@@ -323,6 +361,7 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
         return status;
     }
     e->npass = 0;
+    e->before = NULL;
     e->runs_find = found != NULL;
     w->evidence.seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
     e->main = &e->pass[0];

@@ -13,6 +13,8 @@ typedef struct pm_accuracy {
     int npass;
     int runs_find; /* a pass goes through find.c */
     pm_pass pass[3], *main, *other, *spare, *last;
+    const pm_pass *before;   /* the main pass before, at a looser tolerance; NULL: there is none */
+    double *neighbours;      /* [nout] scratch: errors of a list */
     pm_natural_size size;    /* of asks and triggers, at the end of the main pass */
     double *kept;            /* [nout] errors of the main pass, while another is tried */
     pm_closest closest;      /* decision of the main pass, as its log, or the route, tells it */

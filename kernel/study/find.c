@@ -70,17 +70,6 @@ static int read_bounds(pm_workspace *w)
 
 static double step_of(const pm_find *f) { return (f->high[0] - f->low[0]) / f->samples; }
 
-static int sample(pm_workspace *w)
-{
-    pm_find *f = w->find;
-    for (int i = 0; i <= f->samples; i++) {
-        const double x = i < f->samples ? f->low[0] + i * step_of(f) : f->high[0];
-        const int status = pm_find_look(w, &x, &f->node[i]);
-        if (status) return status;
-    }
-    return PM_OK;
-}
-
 /* Neighbouring brackets may lead to one place. */
 static void add_found(pm_find *f, const pm_look *look)
 {
@@ -325,7 +314,7 @@ static int search(pm_workspace *w)
     if (f->nvary == 2) {
         status = pm_find_pair(w);
     } else {
-        status = sample(w);
+        status = pm_find_sample(w);
         if (!status && f->nzero > 0)
             status = find_value(w);
         else if (!status && f->program != PM_NONE)

@@ -1,6 +1,7 @@
 /* find.h - a case that looks for one or two of its parameters by whole runs; what the files of a find share.
  *
  *   find.c           samples, brackets, what is taken of all that was found
+ *   find_sample.c    samples between the bounds
  *   find_look.c      one run as a function of the varied parameters
  *   find_root.c      roots of readings, thresholds of outcomes
  *   find_extremum.c  the greatest goal between two parameters
@@ -19,6 +20,7 @@ typedef struct pm_look {
     double goal;  /* what is to be greatest: the extreme ask, its negative for the least */
     int edge;     /* beyond it runs fail */
     int bisected; /* it is where an outcome changes */
+    int loose;    /* it was run loosely: its readings tell signs and no more */
 } pm_look;
 
 typedef struct pm_find {
@@ -44,6 +46,10 @@ int pm_find_run(pm_workspace *w, const double *param, double *found);
 
 /* Relative: how well the last find can know its parameters, where they bound an outcome; else 0. */
 double pm_find_resolution(const pm_find *find);
+
+/* ---- find_sample.c ---- */
+/* Fills find->node.  Fails (returns a status) only if it is to be stopped. */
+int pm_find_sample(pm_workspace *w);
 
 /* ---- find_look.c ---- */
 /* Runs the case with the varied parameters x.  Fails (returns a status) only if it is to be stopped. */

@@ -6,12 +6,15 @@
  *     error = max(spread |a' - a| / PM_COARSER, PM_ACCURACY_CLAIMED scale, PM_ACCURACY_OF_TERMS terms,
  *                 PM_ACCURACY_OF_STEP steps |a|)
  *
+ * Beside a main pass before, at a looser tolerance, it is at least spread |a - a''| tolerance / tolerance''; in a list no value is
+ * known better than its neighbours.
  * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size; terms: how much
  * if all that it reads changed by the greatest of its kind in the run (natural_size.c).  An error is as great as asked where it
  * is accuracy times the greater of both. */
 #include "study/judge.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "events/ask.h"
 #include "expression/program_class.h"
@@ -36,33 +39,118 @@ static double least_error(const pm_pass *p, int column, double scale, double ter
                 PM_ACCURACY_OF_TERMS * terms);
 }
 
-/* Estimated errors of the main pass, given how much of the other's difference they are; the greatest over what the
- * accuracy asked allows. */
-static double judge_answers(const pm_workspace *w, double share, double *error)
+/* The error by the main pass at the looser tolerance before, if there was one: their difference is that one's error, and it is
+ * told already if it is what this one is compared with. */
+static double beside_before(const pm_workspace *w, int column)
 {
     const pm_accuracy *e = w->accuracy;
+    if (!e->before) return 0;
+    if (e->before == e->other) return e->kept[column] * e->main->tolerance / e->before->tolerance;
+    const double off = fabs(e->main->out[column] - e->before->out[column]);
+    return isnan(off) ? 0 : fmin(1, w->phase.route->spread * e->main->tolerance / e->before->tolerance) * off;
+}
+
+/* Of the main pass, given how much of the other's difference it is. */
+static double estimate(const pm_workspace *w, double share, int column)
+{
+    const pm_accuracy *e = w->accuracy;
+    const double own = e->main->error[column], off = fabs(e->main->out[column] - e->other->out[column]);
+    if (!isnan(own)) return own;
+    return isnan(off) ? INFINITY : fmax(share * off, beside_before(w, column));
+}
+
+/* Values of a list are those of one function at instants that follow each other: its error goes through zero between some of
+ * them, and there the difference of two runs is small by chance.  None is known better than its neighbours. */
+static void spread_over_neighbours(int n, double *error, double *spare)
+{
+    const int reach = n / PM_ACCURACY_NEIGHBOURS + 1;
+    memcpy(spare, error, (size_t)n * sizeof *error);
+    for (int k = 0; k < n; k++)
+        for (int i = k > reach ? k - reach : 0; i <= k + reach && i < n && !isnan(error[k]); i++)
+            if (isfinite(spare[i])) error[k] = pm_max(spare[i], error[k]);
+}
+
+/* An error over what the accuracy asked allows. */
+static double excess_of(const pm_workspace *w, int ask, int column, double error)
+{
+    const pm_accuracy *e = w->accuracy;
+    return error / (w->numbers.accuracy * fmax(scale_of(e, ask, column), e->size.terms[ask]));
+}
+
+/* Errors of one ask; the greatest over what the accuracy asked allows. */
+static double judge_ask(const pm_workspace *w, int ask, double share, double *error)
+{
+    const pm_accuracy *e = w->accuracy;
+    const int first = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, ask)[PM_ASK_COUNT];
     double excess = 0;
-    for (int i = 0; i < w->model->nask; i++) {
-        const int32_t *row = PM_ASK_ROW(w->model, i);
-        for (int k = row[PM_ASK_OUT]; k < row[PM_ASK_OUT] + row[PM_ASK_COUNT]; k++) {
-            const double a = e->main->out[k], b = e->other->out[k], scale = scale_of(e, i, k),
-                         least = least_error(e->main, k, scale, e->size.terms[i]);
-            error[k] = NAN;
-            if (isnan(a)) continue;
-            error[k] = isnan(b) ? INFINITY : fabs(a - b);
-            if (e->discrete[i]) continue;
-            error[k] = fmax(isnan(e->main->error[k]) ? share * error[k] : e->main->error[k], least);
-            error[k] += e->main->more[k];
-            excess = pm_max(error[k] / (w->numbers.accuracy * fmax(scale, e->size.terms[i])), excess);
-        }
+    for (int k = first; k < first + n; k++) error[k] = isnan(e->main->out[k]) ? NAN : estimate(w, share, k);
+    if (n > 1 && isnan(e->main->error[first])) spread_over_neighbours(n, error + first, e->neighbours);
+    for (int k = first; k < first + n; k++) {
+        if (isnan(error[k])) continue;
+        error[k] = fmax(error[k], least_error(e->main, k, scale_of(e, ask, k), e->size.terms[ask])) +
+                   e->main->more[k];
+        excess = pm_max(excess_of(w, ask, k, error[k]), excess);
     }
+    return excess;
+}
+
+/* What is counted, yes or no: by how much the other pass says otherwise. */
+static void judge_discrete(const pm_workspace *w, int ask, double *error)
+{
+    const pm_accuracy *e = w->accuracy;
+    const int first = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, ask)[PM_ASK_COUNT];
+    for (int k = first; k < first + n; k++) {
+        const double a = e->main->out[k], b = e->other->out[k];
+        error[k] = isnan(a) ? NAN : isnan(b) ? INFINITY : fabs(a - b);
+    }
+}
+
+/* Estimated errors of the main pass; the greatest over what the accuracy asked allows. */
+static double judge_answers(const pm_workspace *w, double share, double *error)
+{
+    double excess = 0;
+    for (int i = 0; i < w->model->nask; i++)
+        if (w->accuracy->discrete[i])
+            judge_discrete(w, i, error);
+        else
+            excess = pm_max(judge_ask(w, i, share, error), excess);
     return excess;
 }
 
 /* Of the difference of both passes: what the error of the main one is taken for. */
 static double share_of(const pm_phase *phase, const pm_accuracy *e)
 {
-    return phase->route->spread * e->main->tolerance / e->other->tolerance;
+    const double share = phase->route->spread * e->main->tolerance / e->other->tolerance;
+    return e->other->coarse ? share : fmin(1, share); /* a looser main pass errs by all of it at the most */
+}
+
+double pm_judge_again(const pm_workspace *w, double *error)
+{
+    const pm_accuracy *e = w->accuracy;
+    double excess = 0;
+    for (int i = 0; i < w->model->nask; i++) {
+        const int first = PM_ASK_ROW(w->model, i)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, i)[PM_ASK_COUNT];
+        for (int k = first; k < first + n && !e->discrete[i]; k++) {
+            error[k] = pm_max(fabs(e->main->out[k] - e->spare->out[k]), error[k]);
+            excess = pm_max(excess_of(w, i, k, error[k]), excess);
+        }
+    }
+    return excess;
+}
+
+int pm_judge_goes_with_tolerance(const pm_workspace *w)
+{
+    const pm_accuracy *e = w->accuracy;
+    const double share = share_of(&w->phase, e);
+    for (int i = 0; i < w->model->nask; i++) {
+        const int first = PM_ASK_ROW(w->model, i)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, i)[PM_ASK_COUNT];
+        for (int k = first; k < first + n; k++) {
+            const double off = share * fabs(e->main->out[k] - e->other->out[k]);
+            const double least = least_error(e->main, k, scale_of(e, i, k), e->size.terms[i]);
+            if (!e->discrete[i] && off > fmax(PM_SCALES_ERRORS * beside_before(w, k), least)) return 0;
+        }
+    }
+    return 1;
 }
 
 /* Errors of the sought parameters of the main pass.  What follows from parameters alone is known no better than the

@@ -663,4 +663,10 @@ FAULTS = [
         "value_at(x, low, high, part * all)",
         "value_at(x, low, high, part)",
     ),
+    Fault(
+        "bounce: a coarse run follows a resolved series as far as the main one",
+        "events/last_bounce.c",
+        "return w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER",
+        "return w->numbers.coarse > 1e9 ? PM_BOUNCE_EARLIER",
+    ),
 ]

@@ -49,6 +49,12 @@ FAULTS = [
         "if (value * last < -1e300) status = close_bracket",
     ),
     Fault(
+        "find: signs of loose samples are taken as they are",
+        "study/find_sample.c",
+        "return f->nzero > 0 ? confirm(w) : PM_OK;",
+        "return f->nzero > 0 && f->samples < 0 ? confirm(w) : PM_OK;",
+    ),
+    Fault(
         "find: two roots between samples are not looked for",
         "study/find.c",
         "if (!status && i > 1 && value * last > 0",

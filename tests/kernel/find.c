@@ -118,6 +118,58 @@ static void roots_close_together(void)
     scene_free(f.s);
 }
 
+/* A rod on a pin after many swings, on rk: its angle then as a function of its first speed. */
+static scene *swinging(int *angle)
+{
+    scene *s = scene_create();
+    const int omega = scene_parameter(s);
+    const int b = scene_body(s, 2, 0.2, 0, -0.5, -PI / 2);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    SCENE_ROW(s, PM_TABLE_START, PM_START_VELOCITY, scene_measure(s, PM_MEASURE_OMEGA, b), omega);
+    scene_until_time(s, 20);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+    *angle = scene_measure(s, PM_MEASURE_TURNED, b);
+    return s;
+}
+
+static double angle_after(double speed)
+{
+    int angle;
+    scene *s = swinging(&angle);
+    const int out = scene_ask_measure(s, angle);
+    EQUAL(scene_run(s, &speed), PM_OK);
+    const double found = s->out[out];
+    scene_free(s);
+    return found;
+}
+
+static double speed_for(double wanted, double low, double high)
+{
+    int angle;
+    scene *s = swinging(&angle);
+    scene_find(s, PM_FIND_VALUE, PM_NONE, 4);
+    scene_vary(s, 0, low, high);
+    scene_where(s, PM_CONDITION_ZERO, scene_minus(s, angle, wanted));
+    const double param[] = {0};
+    EQUAL(scene_run(s, param), PM_OK);
+    EQUAL(s->count[PM_COUNT_FOUND], 1);
+    const double found = s->found[PM_FOUND_FIRST];
+    scene_free(s);
+    return found;
+}
+
+/* Samples of whose readings only the sign is used are run loosely: a root beside one, nearer than the loose run tells, is
+ * found all the same, as it is where no sample is near. */
+static void roots_at_samples(void)
+{
+    static const double off[] = {0, 1e-13, -1e-13, 1e-10, -1e-10, 1e-8, -1e-8, 3e-7, -3e-7};
+    const double root = 2.0, step = 1e-3, wanted = angle_after(root);
+    for (int i = 0; i < 9; i++) {
+        const double low = root - 2 * step + off[i];
+        NEAR(speed_for(wanted, low, low + 4 * step), root, 1e-10);
+    }
+}
+
 /* The angle of the farthest throw onto a level below: tan = v / sqrt(v^2 + 2 g h). */
 static void extremes(void)
 {
@@ -407,6 +459,7 @@ int main(void)
     several_values();
     best_of_several();
     roots_close_together();
+    roots_at_samples();
     extremes();
     extremes_at_ends();
     corners();

@@ -41,7 +41,6 @@ WORDS = ("agrees", "declined", "told", "differs", "no answer")
 WRONG = ("differs", "no answer")
 # Of these ida has no answer, or one that its estimate covers: scene, why.
 EXPLAINED = {
-    "17-076": "a find of many runs: one of them, where it was found, is compared in tests/chapter17",
     "17-C3": "errors of energy grow 40 000 times in the last speed: its file asks for 1e-13",
     "17-C5": "a dead centre, which ida does not pass; the default passes it by work and energy",
 }
