@@ -49,6 +49,12 @@ static double clean(const pm_contact_course *x, double velocity)
     return fabs(velocity) <= PM_COURSE_ROUNDING * x->size ? 0 : velocity;
 }
 
+/* What does not slip has no slip that could end later. */
+static double slip_of(const pm_contact_course *x, double slip)
+{
+    return fabs(slip) <= fmax(x->no_slip, PM_COURSE_ROUNDING * x->size) ? 0 : slip;
+}
+
 /* ---- at once ---- */
 /* Directions whose velocities are taken away before the course: slip of rough contacts, bounces that are over. */
 static int list_at_once(pm_contact_course *x)
@@ -120,7 +126,7 @@ static double until_met(const pm_contact_course_contact *c, double normal)
     return normal > 0 ? until_none(normal, c->rate[0]) : UNLIMITED;
 }
 
-/* How long velocities are linear: at the end of compression s = 1. */
+/* How long velocities are linear: at the end of compression s = 1.  Where a blow stops bodies for good slips end there, too. */
 static double length(const pm_contact_course *x, int compresses)
 {
     double s = compresses ? 1 : UNLIMITED;
@@ -131,29 +137,30 @@ static double length(const pm_contact_course *x, int compresses)
         if (c->rebounds) s = fmin(s, until_spent(c, u[0]));
     }
     for (int k = 0; k < x->m; k++) s = fmin(s, until_none(x->velocity[2 * x->n + k], x->joint[k].rate));
-    return s;
+    return compresses && s > 1 - PM_COURSE_SAME ? 1 : s;
 }
 
-/* Goes on by s; what ends there is zero, exactly. */
+/* Goes on by s; what ends there, but for rounding, is zero, exactly. */
 static void go(pm_contact_course *x, double s)
 {
+    const double now = s * (1 + PM_COURSE_SAME);
     for (int i = 0; i < x->n; i++) {
         pm_contact_course_contact *c = &x->contact[i];
         double *u = x->velocity + 2 * i;
         const double p = c->share[0] * s;
-        const int slip_ends = until_slip_ends(c, u[1]) <= s, meets = until_met(c, u[0]) <= s;
-        if (c->rebounds && until_spent(c, u[0]) <= s) c->rebounds = 0;
+        const int slip_ends = until_slip_ends(c, u[1]) <= now, meets = until_met(c, u[0]) <= now;
+        if (c->rebounds && until_spent(c, u[0]) <= now) c->rebounds = 0;
         c->work += p * (u[0] + 0.5 * c->rate[0] * s);
         c->load += p;
         x->impulse[2 * i] += p;
         x->impulse[2 * i + 1] += c->share[1] * s;
         u[0] = meets ? 0 : clean(x, u[0] + c->rate[0] * s);
-        u[1] = slip_ends ? 0 : u[1] + c->rate[1] * s;
+        u[1] = slip_ends ? 0 : slip_of(x, u[1] + c->rate[1] * s);
     }
     for (int k = 0; k < x->m; k++) {
         double *u = x->velocity + 2 * x->n + k;
         x->impulse[2 * x->n + k] += x->joint[k].share * s;
-        *u = until_none(*u, x->joint[k].rate) <= s ? 0 : *u + x->joint[k].rate * s;
+        *u = until_none(*u, x->joint[k].rate) <= now ? 0 : *u + x->joint[k].rate * s;
     }
 }
 
@@ -197,7 +204,7 @@ static void begin_restitution(pm_contact_course *x)
         const double e = c->restitution;
         c->left[0] = e * c->load;
         c->left[1] = -e * e * c->work;
-        c->rebounds = c->before < 0 && c->left[0] > 0 && (c->law != PM_LAW_STRONGE || c->left[1] > no_work);
+        c->rebounds = c->before < 0 && c->left[0] > 0 && (c->law != PM_LAW_STRONGE || -c->work > no_work);
         c->load = c->work = 0;
     }
 }

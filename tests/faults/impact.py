@@ -439,6 +439,24 @@ FAULTS = [
         "s = fmin(s, until_met(c, u[0]));",
     ),
     Fault(
+        "course: a slip that ends with the stretch but for rounding goes on",
+        "impact/contact_course.c",
+        "s > 1 - PM_COURSE_SAME ? 1 : s",
+        "0 ? 1 : s",
+    ),
+    Fault(
+        "course: a slip of rounding goes on",
+        "impact/contact_course.c",
+        "slip_of(x, u[1] + c->rate[1] * s)",
+        "u[1] + c->rate[1] * s",
+    ),
+    Fault(
+        "course: slips that end in turn are given up soon",
+        "impact/contact_course.c",
+        "const int most = PM_COURSE_EVENTS * (x->n + x->m + 1);",
+        "const int most = 0.04 * PM_COURSE_EVENTS * (x->n + x->m + 1);",
+    ),
+    Fault(
         "course: what has parted is not met again",
         "impact/contact_course.c",
         "return normal > 0 ? until_none(normal, c->rate[0]) : UNLIMITED;",
