@@ -34,7 +34,7 @@ def main():
     if given["who"] != "threads":
         import dask
         from dask.distributed import Client, LocalCluster
-        # Dask gives up a worker that is starting again this long after it died before: here they die that often.
+        # So long after a death Dask gives up a worker that is starting again: here they die more often.
         dask.config.set({"distributed.deploy.lost-worker-timeout": "10 minutes"})
         cluster = LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None)
         client = Client(cluster)

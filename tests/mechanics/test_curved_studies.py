@@ -66,7 +66,10 @@ def test_a_gear_train_loses_what_its_teeth_rub() -> None:
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_ball_rolls_down_the_wavy_ramp_as_integrated(route: str) -> None:
-    """Its centre goes (1 - r b) along the ramp, u' = -5/7 g t_y; N/m = g n_y + u^2 b/(1 - r b), F/m = 2/7 g t_y; then it flies."""
+    """Its centre goes (1 - r b) along the ramp, u' = -5/7 g t_y; then it flies.
+
+    N/m = g n_y + u^2 b/(1 - r b), F/m = 2/7 g t_y.
+    """
     asks = planemotion.load(STUDIES / "wavy_ramp.toml").run(**{"solve.route": route}).asks
     r, a, k, slope, end = 0.05, 0.03, 5.0, 0.4, 1.6
 
