@@ -16,7 +16,7 @@ from .tables import Table
 
 CASES, QUICK_CASES = 1_000_000, 50_000
 KILLS, QUICK_KILLS = 20, 2
-# Seconds between two kills: so long that a new worker has begun to compute, so short that all fall into the sweep.
+# Seconds between two kills: a new worker has begun to compute, and all fall into the sweep.
 PAUSE = 1.0
 PROGRAM = """
 import hashlib, json, os, resource, signal, sys, threading, time

@@ -22,7 +22,7 @@ FAULTS = [
         "if (c->curve != PM_NONE && slot < 0) c->foot = m->nmemory - m->nslot + slot;",
     ),
     Fault(
-        "curves: the foot of a contact is not followed",
+        "curves: the members of contacts are not followed",
         "equations/active_set.c",
         "follow_members(frame, s);\n    follow_slack",
         "follow_slack",

@@ -218,8 +218,8 @@ FAULTS = [
     Fault(
         "edge: friction keeps its side round a corner",
         "impact/contact_modes.c",
-        "if (pm_contact_modes_slides(s->mode)) s->mode =",
-        "if (0) s->mode =",
+        "if (turns && pm_contact_modes_slides(s->mode))",
+        "if (0)",
     ),
     Fault(
         "edge: what has left it comes back",
@@ -735,8 +735,8 @@ FAULTS = [
     Fault(
         "course: a restitution does not end",
         "impact/contact_course.c",
-        "if (c->rebounds && until_spent(c, u[0]) <= s) c->rebounds = 0;",
-        "if (c->rebounds && until_spent(c, u[0]) < s) c->rebounds = 0;",
+        "if (c->rebounds && until_spent(c, u[0]) <= now) c->rebounds = 0;",
+        "if (c->rebounds && until_spent(c, u[0]) < now) c->rebounds = 0;",
     ),
     Fault(
         "together: friction by the slip before",

@@ -24,7 +24,7 @@ BROKEN = [
         "17-C5",
         'D = { slider = ["BD.D", "ground.level"] }',
         'D = { rolling = ["BD.D", "ground.level"] }',
-        'joints.D.rolling[0] = "BD.D": BD.D is a point; a circle is wanted',
+        'joints.D.rolling[0] = "BD.D": BD.D is a point; a circle or curve is wanted',
     ),
     ("17-C5", '"BD.B"]', '"BE.B"]', 'joints.B.pin[1] = "BE.B": unknown body "BE"; there is AB, BD, ground'),
     (

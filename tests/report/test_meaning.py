@@ -79,7 +79,9 @@ WORDS: Mapping[str, Mapping[str, set[str]]] = {
 SCENE = """
 until = "t = 0.1 s"
 spin = { through = [0, 0], angle = 0, inertia = "1 kg*m^2" }
-ground = { points = { O = [0, 0] }, lines = { floor = { through = [0, "-0.5 m"] } } }
+ground.points.O = [0, 0]
+ground.lines.floor = { through = [0, "-0.5 m"] }
+ground.circles.peg = { radius = "0.1 m", center = [0, "5 m"] }
 bodies.body = { disk = "0.5 m", mass = "2 kg", at = [0, 0] }
 bodies.other = { disk = "0.5 m", mass = "2 kg", at = ["3 m", 0] }
 joints.joint = { slider = ["body.center", "ground.floor"] }
@@ -88,6 +90,7 @@ bodies.moved = { disk = "0.5 m", mass = "2 kg", driven.at = ["(9 m) + t*(1 m/s)"
 bodies.turned = { disk = "0.5 m", mass = "2 kg", at = ["20 m", 0] }
 joints.turned_by = { pin = ["turned.center", "ground"], angle = "t*(1 rad/s)" }
 couplings.cord = { cord = ["body.center", "other.center"] }
+couplings.rope = { cord = ["body.center", "ground.peg ccw", "other.center"], friction = 0.3 }
 couplings.gears = { gears = ["body.rim", "other.rim"] }
 couplings.motor = { motor = ["body", "ground"], value = "1 rad/s" }
 contacts.contact = { touch = ["other.rim", "ground.floor"] }
@@ -139,6 +142,7 @@ ELSEWHERE = {
     "coupling.power": "motor.power",
     "coupling.tension": "cord.tension",
     "coupling.slack": "cord.slack",
+    "coupling.slip": "rope.slip",
     "coupling.force": "gears.force.x",
     "coupling.impulse": "cord.impulse",
     "coupling.couple": "motor.couple",

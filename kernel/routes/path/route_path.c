@@ -328,6 +328,6 @@ const pm_route_ops pm_route_path = {
     .when_lost = PM_LOST_TO_NEXT_RULE,
     .price = 2,
     .finest = PM_CLOCK_TAIL,
-    .spread = 34,
+    .spread = 45,
     .nodes = &pm_chebyshev_nodes_9,
 };

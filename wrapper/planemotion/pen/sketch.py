@@ -171,8 +171,7 @@ class Sketch:
         along = np.array([math.cos(angle), math.sin(angle)])
         centers = [np.array(self.point(name, "center")) for name in self.drawing.bodies] or [through]
         feet = [through + float((center - through) @ along) * along for center in centers]
-        away = [float(np.hypot(*(center - foot))) for center, foot in zip(centers, feet, strict=True)]
-        x, y = feet[int(np.argmin(away))]
+        x, y = min(zip(feet, centers, strict=True), key=lambda pair: float(np.hypot(*(pair[1] - pair[0]))))[0]
         return [(float(x), float(y))]
 
     def outer(self, owner: str) -> list[Place]:
@@ -385,8 +384,7 @@ def _clip(
     A short piece at `at` if it misses the box.
     """
     first, last = _inside(at, along, low, high)
-    if not first < last:
-        first, last = 0.0, 0.0
+    first, last = (first, last) if first < last else (0.0, 0.0)
     return at + first * along, at + last * along
 
 
@@ -395,8 +393,8 @@ def _inside(at: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray
     first, last = -math.inf, math.inf
     for i in range(2):
         if along[i]:
-            ends = sorted(((low[i] - at[i]) / along[i], (high[i] - at[i]) / along[i]))
-            first, last = max(first, ends[0]), min(last, ends[1])
+            near, far = sorted(((low[i] - at[i]) / along[i], (high[i] - at[i]) / along[i]))
+            first, last = max(first, near), min(last, far)
         elif not low[i] <= at[i] <= high[i]:
             last = -math.inf
     return first, last

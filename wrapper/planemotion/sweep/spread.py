@@ -33,7 +33,7 @@ _AHEAD = 2
 _UNKNOWN_WORKERS = 32
 # Between two looks at how many workers there are, in s: clusters grow and shrink.
 _COUNT_EVERY = 5.0
-# An executor without workers is waited for, and after this time, in s, that is said: those of clusters come late.
+# An executor without workers is waited for; after this time, in s, that is said.
 _ALONE = 30.0
 # A pool of processes has this time to notice that one of them has died, in s.
 _NOTICED = 3.0
