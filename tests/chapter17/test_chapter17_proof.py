@@ -71,14 +71,15 @@ def test_a_route_in_time_gives_the_same(path: Path, route: str) -> None:
 
 @pytest.mark.parametrize(("stem", "route"), ENDS_EARLY)
 def test_what_a_route_answers_before_it_fails_is_right(stem: str, route: str) -> None:
-    """Only the last of a list of values, at the place itself, is missing or has a great estimated error."""
+    """Only the last of a list of values, at the place itself, is missing or is hardly known."""
     path = CHAPTER / f"{stem}.toml"
     early, whole = run(path, route), run(path)
     assert early.status in ENDS_EARLY[stem, route]
-    assert early.status == "ok" or "before" in early.error
+    assert early.status != "ends_singular" or "before" in early.error
     for key, ask in whole.asks.items():
         values, right = numbers(early.asks[key].value), numbers(ask.value)
-        assert values[-1] is None or abs(values[-1] - right[-1]) <= numbers(early.asks[key].error)[-1]
+        error = numbers(early.asks[key].error)[-1]
+        assert values[-1] is None or error is None or abs(values[-1] - right[-1]) <= error
         assert values[:-1] == pytest.approx(right[:-1], rel=BETWEEN_ROUTES, abs=0)
 
 
