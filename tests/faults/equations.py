@@ -179,6 +179,12 @@ FAULTS = [
     Fault("reach: a plate hangs still", "equations/gap_bounds.c", "if (!b->fixed) {", "if (0) {"),
     Fault("reach: edges have no end", "equations/gap_bounds.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
     Fault(
+        "start: bodies go a little way at a time, however they turn",
+        "equations/start_positions.c",
+        "if (turn <= PM_ASSEMBLY_LONGEST) {",
+        "if (most <= PM_ASSEMBLY_LONGEST) {",
+    ),
+    Fault(
         "start: a block of joints pushed the wrong way",
         "equations/least_change.c",
         "level == PM_START_POSITION ? -c->g : c->rate",

@@ -148,6 +148,33 @@ static void many_rows(void)
     scene_free(s);
 }
 
+/* Rods that hang on each other, all drawn at the pin of the first, each at its own angle, which is written: they go to their
+ * places in one step, however far that is. */
+#define RODS 24
+static void drawn_at_one_place(void)
+{
+    scene *s = scene_create();
+    for (int i = 0; i < RODS; i++) {
+        const int rod = scene_body(s, 1, 0.1, 0, 0, 0), before = i == 0 ? PM_GROUND : i - 1;
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0),
+                    scene_point(s, before, i == 0 ? 0 : 0.5, 0), 0);
+        scene_start(s, PM_START_POSITION, scene_measure(s, PM_MEASURE_ANGLE, rod), -0.01 * i);
+    }
+    scene_until_time(s, 0.01);
+    const start found = check_scene(s);
+    EQUAL(found.status, PM_OK);
+    double x = 0, y = 0;
+    for (int i = 0; i < RODS; i++) {
+        const double dx = 0.5 * cos(0.01 * i), dy = -0.5 * sin(0.01 * i);
+        NEAR(found.pose[i][2], -0.01 * i, 1e-13);
+        NEAR(found.pose[i][0], x + dx, 1e-12);
+        NEAR(found.pose[i][1], y + dy, 1e-12);
+        x += 2 * dx;
+        y += 2 * dy;
+    }
+    scene_free(s);
+}
+
 static void cannot_be_met(void)
 {
     scene *s = scene_create(); /* a link of 1 between points that a pin and a written place keep 3 apart */
@@ -249,6 +276,7 @@ int main(void)
     keeps_what_is_written();
     slider_crank();
     many_rows();
+    drawn_at_one_place();
     cannot_be_met();
     contradictory_velocities();
     open_motion();
