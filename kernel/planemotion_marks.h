@@ -31,20 +31,26 @@ enum pm_pattern_column {
 };
 
 /* The points (x(s), y(s)) of a curve, in the axes of the body of `point` from there; its free side, where a contact touches
- * it and to which its normal points, is on its left as s grows (side 1) or on its right (-1).  A closed curve goes on at
- * `from` where it comes to `to`. */
+ * it and to which its normal points, is on its left as s grows (side 1) or on its right (-1). */
 enum pm_curve_column {
     PM_CURVE_POINT = 0,
     PM_CURVE_X = 1, /* programs of PM_MEASURE_PLACE alone, smooth to the third derivative but at knots */
     PM_CURVE_Y = 2,
     PM_CURVE_FROM = 3, /* value indices: from < to */
     PM_CURVE_TO = 4,
-    PM_CURVE_CLOSED = 5, /* 1 or 0 */
+    PM_CURVE_CLOSED = 5, /* pm_curve_closed */
     PM_CURVE_SIDE = 6,   /* 1 or -1 */
     /* row of PM_TABLE_PIECEWISE, or PM_NONE: the programs read tables with these knots at PM_MEASURE_PLACE itself, smooth to
      * the second derivative; phases end there */
     PM_CURVE_KNOTS = 7,
     PM_CURVE_COLUMNS = 8
+};
+/* What is at `from` and `to`: ends; the same place, where it goes on; nothing, for a straight line goes on beyond both. */
+enum pm_curve_closed {
+    PM_CURVE_WITH_ENDS = 0,
+    PM_CURVE_ROUND = 1,
+    PM_CURVE_ENDLESS = 2,
+    PM_CURVE_CLOSINGS = 3
 };
 
 #endif

@@ -37,13 +37,12 @@ static int curve_of(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, c
 
 int pm_contact_curve_ends(const pm_model *m, int contact)
 {
-    return pm_contact_curve_is(m, contact) && !PM_CURVE_ROW(m, curve_of(m, contact))[PM_CURVE_CLOSED];
+    return pm_contact_curve_is(m, contact) && pm_curve_has_ends(m, curve_of(m, contact));
 }
 
 static int has_corners(const pm_model *m, int contact)
 {
-    return pm_contact_pair_is(m, contact) &&
-           !PM_CURVE_ROW(m, pm_contact_pair_first(m, contact))[PM_CURVE_CLOSED];
+    return pm_contact_pair_is(m, contact) && pm_curve_has_ends(m, pm_contact_pair_first(m, contact));
 }
 
 int pm_contact_curve_parts(const pm_model *m, int contact)

@@ -27,10 +27,7 @@ int pm_contact_pair_first(const pm_model *m, int contact) { return PM_CONTACT_RO
 
 static int second(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_B]; }
 
-static int is_open(const pm_frame *frame, int curve)
-{
-    return !PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED];
-}
+static int is_open(const pm_frame *frame, int curve) { return pm_curve_has_ends(frame->model, curve); }
 
 static double end_of(const pm_frame *frame, int contact, int corner)
 {
@@ -126,7 +123,7 @@ void pm_contact_pair_constraint(const pm_frame *frame, int contact, int member, 
 static int are_next(const pm_model *m, int curve, int a, int b)
 {
     const int off = a < b ? b - a : a - b;
-    return off <= 1 || (PM_CURVE_ROW(m, curve)[PM_CURVE_CLOSED] && off >= PM_CURVE_NODES - 1);
+    return off <= 1 || (pm_curve_is_round(m, curve) && off >= PM_CURVE_NODES - 1);
 }
 
 int pm_contact_pair_is_same(const pm_model *m, int contact, int a, int b)

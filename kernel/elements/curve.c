@@ -39,7 +39,7 @@ static pm_taylor moved(const pm_taylor *a, double h)
                         c[2] + 3 * h * c[3], c[3]}};
 }
 
-/* An open curve is known up to its ends. */
+/* What is not closed is known between its bounds. */
 static double within(const pm_frame *frame, int curve, double s)
 {
     return fmin(fmax(s, pm_curve_bound(frame, curve, PM_CURVE_FROM)),
@@ -67,9 +67,10 @@ pm_curve_place pm_curve_along(const pm_frame *frame, int curve, double s, double
     const int32_t *e = PM_CURVE_ROW(frame->model, curve);
     const double in = pm_curve_has_pieces(frame->model, curve) ? of : s,
                  laps = pm_curve_laps(frame, curve, in);
-    const double known = e[PM_CURVE_CLOSED] ? s - laps : within(frame, curve, s);
+    const int is_round = pm_curve_is_round(frame->model, curve);
+    const double known = is_round ? s - laps : within(frame, curve, s);
     pm_curve_series c = series_at(frame, curve, known, within(frame, curve, in - laps));
-    if (!e[PM_CURVE_CLOSED] && s != known) {
+    if (!is_round && s != known) {
         c.x = moved(&c.x, s - known);
         c.y = moved(&c.y, s - known);
     }
@@ -220,7 +221,7 @@ pm_curve_place pm_curve_nearest(const pm_frame *frame, int curve, const double x
 
 double pm_curve_room(const pm_frame *frame, int curve, const pm_curve_place *x)
 {
-    if (PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED]) return INFINITY;
+    if (!pm_curve_has_ends(frame->model, curve)) return INFINITY;
     const double from = pm_curve_bound(frame, curve, PM_CURVE_FROM),
                  to = pm_curve_bound(frame, curve, PM_CURVE_TO);
     const int first = x->s - from < to - x->s;
@@ -269,9 +270,11 @@ int pm_curve_check(pm_workspace *w, int curve)
         if (!isfinite(at.p[0]) || !isfinite(at.p[1]) || !isfinite(at.rate))
             return bad(w, curve, PM_CURVE_X, s, NAN);
         if (has_cusp(&before, &at, size)) return bad(w, curve, PM_CURVE_Y, s, NAN);
+        if (pm_curve_is_endless(frame->model, curve) && at.bend != 0)
+            return bad(w, curve, PM_CURVE_CLOSED, at.bend, 0);
         before = at;
     }
-    if (!PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED]) return PM_OK;
+    if (!pm_curve_is_round(frame->model, curve)) return PM_OK;
     const pm_curve_series a = series_at(frame, curve, from, from), b = series_at(frame, curve, to, to);
     const double gap = hypot(a.x.c[0] - b.x.c[0], a.y.c[0] - b.y.c[0]);
     return gap <= PM_CURVE_CLOSES * extent ? PM_OK

@@ -21,7 +21,20 @@ static inline double pm_curve_bound(const pm_frame *frame, int curve, int column
     return frame->numbers->value[PM_CURVE_ROW(frame->model, curve)[column]];
 }
 
-/* The place s; beyond the ends of an open curve by its series there, with the derivatives it ends with. */
+static inline int pm_curve_is_round(const pm_model *m, int curve)
+{
+    return PM_CURVE_ROW(m, curve)[PM_CURVE_CLOSED] == PM_CURVE_ROUND;
+}
+static inline int pm_curve_has_ends(const pm_model *m, int curve)
+{
+    return PM_CURVE_ROW(m, curve)[PM_CURVE_CLOSED] == PM_CURVE_WITH_ENDS;
+}
+static inline int pm_curve_is_endless(const pm_model *m, int curve)
+{
+    return PM_CURVE_ROW(m, curve)[PM_CURVE_CLOSED] == PM_CURVE_ENDLESS;
+}
+
+/* The place s; beyond the ends of a curve that is not closed by its series there, with the derivatives it ends with. */
 pm_curve_place pm_curve_at(const pm_frame *frame, int curve, double s);
 /* The same as that piece of the curve goes on in which `of` lies (curve_piece.h). */
 pm_curve_place pm_curve_along(const pm_frame *frame, int curve, double s, double of);
@@ -43,7 +56,7 @@ double pm_curve_step(const pm_curve_place *x, double way);
 /* The length along the curve from one place to another, with the sign of t, on the piece in which `of` lies. */
 double pm_curve_way(const pm_frame *frame, int curve, double from, double to, double of);
 
-/* How far a place is from the nearer end along the curve, m; INFINITY of a closed curve, negative beyond an end. */
+/* How far a place is from the nearer end along the curve, m; INFINITY where there are no ends, negative beyond an end. */
 double pm_curve_room(const pm_frame *frame, int curve, const pm_curve_place *x);
 /* Greatest distance of two of its places, about, m. */
 double pm_curve_extent(const pm_frame *frame, int curve);

@@ -21,10 +21,7 @@ static double range_of(const pm_frame *frame, int curve)
     return bound_of(frame, curve, PM_CURVE_TO) - bound_of(frame, curve, PM_CURVE_FROM);
 }
 
-static int is_closed(const pm_frame *frame, int curve)
-{
-    return PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED];
-}
+static int is_closed(const pm_frame *frame, int curve) { return pm_curve_is_round(frame->model, curve); }
 
 double pm_curve_feet_place(const pm_frame *frame, int curve, int node)
 {
@@ -119,6 +116,7 @@ int pm_curve_feet_begin(pm_workspace *w, int curve)
     x->pace *= 1 + PM_CURVE_TURN;
     pm_curve_parts_join(x->part);
     x->fine = fmin(x->fine, x->size);
+    if (pm_curve_is_endless(frame->model, curve)) x->fine = x->size = x->part[1].radius = INFINITY;
     const int crossing = crosses_itself(x);
     return crossing == PM_NONE
                ? PM_OK

@@ -13,10 +13,7 @@ typedef struct pm_curve_piece {
 
 static int knots_of(const pm_model *m, int curve) { return PM_CURVE_ROW(m, curve)[PM_CURVE_KNOTS]; }
 
-static int is_closed(const pm_frame *frame, int curve)
-{
-    return PM_CURVE_ROW(frame->model, curve)[PM_CURVE_CLOSED];
-}
+static int is_closed(const pm_frame *frame, int curve) { return pm_curve_is_round(frame->model, curve); }
 
 int pm_curve_has_pieces(const pm_model *m, int curve) { return knots_of(m, curve) != PM_NONE; }
 

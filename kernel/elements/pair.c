@@ -7,7 +7,7 @@
  * which is Newton's method:
  *   ds_b = (b_a r + f) / D,  ds_a = (b_b r - (1 - h b_b) f) / D,  D = b_a + b_b - h b_a b_b
  * D is the curvature of one curve against the other: where they touch and neither goes through the other it is negative.  A
- * straight edge is a curve with b_a = 0. */
+ * straight edge is a curve with b_a = 0, and so is a line without ends. */
 #include "elements/pair.h"
 
 #include <math.h>
@@ -53,6 +53,8 @@ static double end_of(const pm_pair *x, int corner)
 }
 
 /* ---- places that face each other ---- */
+static int is_endless(const pm_pair *x, int curve) { return pm_curve_is_endless(x->frame->model, curve); }
+
 static double range_of(const pm_pair *x, int curve)
 {
     return pm_curve_bound(x->frame, curve, PM_CURVE_TO) - pm_curve_bound(x->frame, curve, PM_CURVE_FROM);
@@ -61,7 +63,7 @@ static double range_of(const pm_pair *x, int curve)
 /* A step of s, no more than a part of what it goes through. */
 static double step_of(const pm_pair *x, int curve, const pm_curve_place *at, double way)
 {
-    const double most = PM_CURVE_PART * range_of(x, curve);
+    const double most = is_endless(x, curve) ? INFINITY : PM_CURVE_PART * range_of(x, curve);
     return fmin(fmax(pm_curve_step(at, way), -most), most);
 }
 
@@ -165,9 +167,10 @@ static double place_in(const pm_pair *x, int curve, int i, double part)
     return pm_curve_bound(x->frame, curve, PM_CURVE_FROM) + range_of(x, curve) * (i - level + part) / level;
 }
 
-/* A little more than the part, so that nothing between two is missed. */
+/* A little more than the part, so that nothing between two is missed; what is endless is one part. */
 static int lies_in(const pm_pair *x, int curve, int i, double s)
 {
+    if (is_endless(x, curve)) return 1;
     const double slack = PM_CURVE_SAME * range_of(x, curve);
     return s >= place_in(x, curve, i, 0) - slack && s <= place_in(x, curve, i, 1) + slack;
 }
@@ -184,14 +187,15 @@ static int is_left_to_closed(const pm_pair_search *f, double s)
 /* Beyond the ends of what is open nothing is. */
 static int lies_on(const pm_pair *x, int curve, double s)
 {
-    if (PM_CURVE_ROW(x->frame->model, curve)[PM_CURVE_CLOSED]) return 1;
+    if (!pm_curve_has_ends(x->frame->model, curve)) return 1;
     return s >= pm_curve_bound(x->frame, curve, PM_CURVE_FROM) &&
            s <= pm_curve_bound(x->frame, curve, PM_CURVE_TO);
 }
 
-/* A place of a that is behind b is in it where no other place of b is nearer. */
+/* A place of a that is behind b is in it where no other place of b is nearer.  All that is behind a line without ends is in it. */
 static int is_in(const pm_pair *x, const pm_pair_place *at)
 {
+    if (is_endless(x, x->a)) return 1;
     const pm_curve_taken none = {.n = 0};
     const double rounding = PM_CURVE_FOUND * PM_EPSILON * (pm_length(at->a.p) + pm_length(at->b.p));
     pm_curve_near near;
@@ -232,7 +236,8 @@ static void look(pm_pair_search *f, int i, int k)
 {
     const pm_curve_part *a = part(f, f->x->a, i), *b = part(f, f->x->b, k);
     if (!bend_apart(a, b) || !turns_against(f->x, a, b) || !stands_over(f->x, a, b)) return;
-    const int last_a = pm_curve_part_is_last(i), last_b = pm_curve_part_is_last(k);
+    const int last_a = pm_curve_part_is_last(i) || is_endless(f->x, f->x->a),
+              last_b = pm_curve_part_is_last(k);
     if ((is_one(a, b) || (last_a && last_b)) && meet(f, i, k, last_a && last_b)) return;
     const int halve_a = !last_a && (last_b || a->spread + a->radius * fabs(b->low) >= b->spread);
     for (int half = 0; half < 2; half++)
@@ -281,10 +286,10 @@ static void take_any(pm_pair_search *f)
 int pm_pair_nearest(const pm_pair *x, const pm_pair_closed *closed, pm_pair_near *near)
 {
     pm_pair_search f = {.x = x, .closed = closed, .near = near};
-    const int is_round = PM_CURVE_ROW(x->frame->model, x->a)[PM_CURVE_CLOSED];
+    const int has_corners = pm_curve_has_ends(x->frame->model, x->a);
     look(&f, 1, 1);
-    for (int corner = PM_PAIR_FROM; corner <= PM_PAIR_TO && !is_round; corner++)
+    for (int corner = PM_PAIR_FROM; corner <= PM_PAIR_TO && has_corners; corner++)
         if (!closed->passed[corner]) look_at_corner(&f, corner);
-    if (!f.found && closed->feet.n == 0 && is_round) take_any(&f);
+    if (!f.found && closed->feet.n == 0 && pm_curve_is_round(x->frame->model, x->a)) take_any(&f);
     return f.found;
 }

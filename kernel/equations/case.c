@@ -81,12 +81,22 @@ static int check_turns(pm_workspace *w, int contact, double turns)
                : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_TURNS, turns, 0);
 }
 
+/* Of two curves the first is the line without ends. */
+static int touches_endless(const pm_model *m, const int32_t *e)
+{
+    const int kind = e[PM_CONTACT_KIND];
+    return (kind == PM_CONTACT_CURVE || kind == PM_CONTACT_CURVES) && pm_curve_is_endless(m, e[PM_CONTACT_B]);
+}
+
 /* Flanks that both touch press on each other by nothing that is known: without backlash teeth are a joint.  A point touches
  * neither a point nor a pattern; points that meet have no radius. */
 static int check_partners(pm_workspace *w, int contact)
 {
     const pm_model *m = w->model;
     const int32_t *e = PM_CONTACT_ROW(m, contact);
+    if (touches_endless(m, e))
+        return out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_B, PM_CURVE_ENDLESS,
+                            PM_CURVE_ROUND);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES) return PM_OK;
     double radius = w->numbers.value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
     if (pm_contact_has_flank(m, contact) && !(w->numbers.value[e[PM_CONTACT_SLACK]] > 0))
@@ -190,6 +200,30 @@ static int is_on_ground(const pm_model *m, int circle)
     return PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY] == PM_GROUND;
 }
 
+static int is_track(const pm_model *m, int curve)
+{
+    for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++)
+        if (pm_joint_of(m, i)->b == PM_TABLE_CURVE && PM_JOINT_ROW(m, i)[PM_JOINT_B] == curve) return 1;
+    return 0;
+}
+
+/* A road of the ground may be far longer than what touches it. */
+static int is_road(const pm_model *m, int curve)
+{
+    return pm_model_body_of(m, PM_TABLE_CURVE, curve) == PM_GROUND && !is_track(m, curve);
+}
+
+/* Half the extent of the largest curve that is a road, or that is none. */
+static double size_of_curves(const pm_frame *frame, int roads)
+{
+    const pm_model *m = frame->model;
+    double size = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++)
+        if (is_road(m, i) == roads && !pm_curve_is_endless(m, i))
+            size = fmax(0.5 * pm_curve_extent(frame, i), size);
+    return size;
+}
+
 /* Extent of the marks on bodies and of the bodies as drawn; 1 m where there is none. */
 static void set_size(const pm_frame *frame, pm_numbers *numbers)
 {
@@ -222,7 +256,8 @@ static void set_size(const pm_frame *frame, pm_numbers *numbers)
         }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++) /* a small peg is not all that there is */
         if (is_on_ground(m, i)) size = pm_max(numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]], size);
-    for (int i = 0; i < m->rows[PM_TABLE_CURVE]; i++) size = pm_max(0.5 * pm_curve_extent(frame, i), size);
+    size = fmax(size_of_curves(frame, 0), size);
+    if (size == 0) size = size_of_curves(frame, 1);
     numbers->size = size > 0 && isfinite(size) ? size : 1;
 }
 

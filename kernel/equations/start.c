@@ -107,15 +107,29 @@ static void hold_contacts(pm_workspace *w, pm_least_change *s, double *dense, co
     }
 }
 
+/* Of a start value with a gradient, the size that the speeds found so far let it have: what is zero among them is rounded as they
+ * are. */
+static double size_of(const pm_workspace *w, const double *x, const double *gradient)
+{
+    const double lever = w->numbers.size;
+    double speed = 0, slope = 0;
+    for (int k = 0; k < w->model->nq; k++) {
+        const double arm = k % 3 == 2 ? lever : 1;
+        speed = pm_max(fabs(x[k]) * arm, speed);
+        slope = pm_max(fabs(gradient[k]) / arm, slope);
+    }
+    return slope * speed;
+}
+
 static int take_written(pm_workspace *w, pm_least_change *s, double *dense, const pm_start_bodies *islands)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_START]; i++) {
         if (pm_start_level(w->model, i) != PM_START_VELOCITY) continue;
         const double value = pm_start_value(w->model, &w->numbers, i);
-        double miss, size = 0;
+        double miss;
         pm_measure_start_gradient(w, pm_start_measure(w->model, i), PM_START_VELOCITY, dense);
         note_written(w->model, islands, dense, value);
-        for (int k = 0; k < w->model->nq; k++) size = pm_max(fabs(dense[k] * s->x[k]), size);
+        const double size = size_of(w, s->x, dense);
         if (pm_least_change_take(&w->active, &w->saddle, s, dense, value, &miss) ||
             fabs(miss) <= PM_START_AGREES * fmax(size, fabs(value)))
             continue;

@@ -126,13 +126,21 @@ static void put_in_order(const pm_event_set *e, int near, pm_blow_order *x)
 
 static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
 
+/* By how much flights may be off a ratio that has settled, as a part of the flight before.  What they are off shrinks from cycle
+ * to cycle as they do, so that a coarse run takes a ratio as settled some cycles earlier. */
+static double may_be_off(const pm_workspace *w, double ratio)
+{
+    const double earlier = w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER / ratio : 1;
+    return fmin(earlier * PM_SERIES_SETTLED, PM_SERIES_NEARLY) * ratio * (1 - ratio);
+}
+
 /* The ratio of the last cycle of k blows to the one before, if each flight has it and the order is the same; 0 if not. */
-static double ratio_of_cycles(const pm_blow_order *x, int k)
+static double ratio_of_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
 {
     if (x->n < 2 * k + 2) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
     if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED)) return 0;
-    const double share = PM_SERIES_SETTLED * ratio * (1 - ratio);
+    const double share = may_be_off(w, ratio);
     for (int i = 0; i <= k; i++) {
         if (x->contact[i] != x->contact[i + k]) return 0;
         if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))
@@ -213,7 +221,7 @@ static void look_for_cycles(const pm_workspace *w, int near, int contact)
     double ratio = 0;
     put_in_order(w->event, near, &x);
     int k = 0;
-    while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_cycles(&x, k);
+    while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_cycles(w, &x, k);
     if (ratio > 0) tell(w->event, near, &x, k, ratio);
     for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->beside_struck[i]].ratio = 0;
     w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);

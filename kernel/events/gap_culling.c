@@ -74,6 +74,9 @@ static int bodies_of(const pm_model *m, int contact, int body[2])
     case PM_CONTACT_PATTERN: point = PM_PATTERN_ROW(m, e[PM_CONTACT_B])[PM_PATTERN_POINT]; break;
     case PM_CONTACT_CIRCLE: body[1] = body_of_circle(m, e[PM_CONTACT_B]); return 1;
     case PM_CONTACT_CURVES:
+        if (body[0] != m->nbody && pm_curve_is_endless(m, e[PM_CONTACT_A])) return 0;
+        body[1] = body_of_curve(m, e[PM_CONTACT_B]);
+        return 1;
     case PM_CONTACT_CURVE: body[1] = body_of_curve(m, e[PM_CONTACT_B]); return 1;
     default: return 0;
     }

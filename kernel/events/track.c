@@ -20,7 +20,7 @@ int pm_track_ends(const pm_workspace *w, int joint)
     if (!pm_joint_of(w->model, joint)->feet || pm_state_is_absent(w->model, &w->state, PM_TABLE_JOINT, joint))
         return 0;
     const int curve = on_track(&w->frame, joint).curve;
-    return !PM_CURVE_ROW(w->model, curve)[PM_CURVE_CLOSED] || pm_curve_has_pieces(w->model, curve);
+    return pm_curve_has_ends(w->model, curve) || pm_curve_has_pieces(w->model, curve);
 }
 
 double pm_track_left(const pm_frame *frame, int joint)

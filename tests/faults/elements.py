@@ -64,6 +64,24 @@ FAULTS = [
         "- M_PI, 2 * M_PI)) <= a->spread;",
     ),
     Fault(
+        "pairs of curves: a line goes no further than its two places",
+        "elements/pair.c",
+        "if (is_endless(x, curve)) return 1;",
+        "",
+    ),
+    Fault(
+        "pairs of curves: what is deep behind a line is not in it",
+        "elements/pair.c",
+        "if (is_endless(x, x->a)) return 1;",
+        "",
+    ),
+    Fault(
+        "pairs of curves: a bent curve goes on without ends",
+        "elements/curve.c",
+        "if (pm_curve_is_endless(frame->model, curve) && at.bend != 0)",
+        "if (0)",
+    ),
+    Fault(
         "pairs of curves: a corner that was passed strikes",
         "elements/pair.c",
         "if (!closed->passed[corner]) look_at_corner(&f, corner);",

@@ -179,6 +179,30 @@ FAULTS = [
     Fault("reach: a plate hangs still", "equations/gap_bounds.c", "if (!b->fixed) {", "if (0) {"),
     Fault("reach: edges have no end", "equations/gap_bounds.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
     Fault(
+        "pairs of curves: a line is as long as a curve of the scene",
+        "equations/case.c",
+        "== roads && !pm_curve_is_endless(m, i))",
+        "== roads)",
+    ),
+    Fault(
+        "curves: a long road makes the scene large",
+        "equations/case.c",
+        "size = fmax(size_of_curves(frame, 0), size);",
+        "size = fmax(size_of_curves(frame, 1), fmax(size_of_curves(frame, 0), size));",
+    ),
+    Fault(
+        "pairs of curves: the second is a line without ends",
+        "equations/case.c",
+        "if (touches_endless(m, e))",
+        "if (0)",
+    ),
+    Fault(
+        "start: a zero is rounded as itself",
+        "equations/start.c",
+        "return slope * speed;",
+        "return 0 * slope * speed;",
+    ),
+    Fault(
         "start: bodies go a little way at a time, however they turn",
         "equations/start_positions.c",
         "if (turn <= PM_ASSEMBLY_LONGEST) {",

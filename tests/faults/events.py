@@ -382,6 +382,12 @@ FAULTS = [
         "while (ratio == 0 && 2 * ++k + 2 <= x.n && k < 2)",
     ),
     Fault(
+        "series: a coarse run ends it where the main one does",
+        "events/bounce_series.c",
+        "w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER / ratio : 1;",
+        "ratio > 2 ? PM_BOUNCE_EARLIER / ratio : 1;",
+    ),
+    Fault(
         "series: others of its order go on alone",
         "events/bounce_series.c",
         "if (!pm_bounce_series_share(w, contact, i)) continue;",

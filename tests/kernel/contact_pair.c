@@ -152,6 +152,87 @@ static void gaps(int edge)
     scene_free(s);
 }
 
+/* ---- a line without ends ---- */
+/* Through the origin of the body along its x axis: free above. */
+static int line(scene *s, int body, int closing)
+{
+    const scene_code place = scene_m(scene_measure(s, PM_MEASURE_PLACE, PM_NONE));
+    return SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, body, 0, 0), SCENE_PROGRAM(s, place),
+                     SCENE_PROGRAM(s, scene_k(s, 0)), scene_value(s, -50), scene_value(s, 50), closing, 1,
+                     PM_NONE);
+}
+
+/* An ellipse beside it, wherever it is and however deep in: its gap is the distance of its centre less how far it reaches. */
+static void beside_a_line(int moving)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0.1, 0, 3, 0), plank = moving ? scene_body(s, 1, 0.1, 0, 0, 0) : PM_GROUND;
+    touch(s, line(s, plank, PM_CURVE_ENDLESS), ring(s, b, 0, 1.1, 0.6, 0), 0, PM_FRICTION_SMOOTH);
+    ring(s, PM_GROUND, 0, 1e3, 1e3, 0);
+    scene_until_time(s, 1);
+    CHECK(scene_begin(s) == PM_OK);
+    pm_workspace *w = s->w;
+    CHECK(w->numbers.size < 4); /* neither the line nor a road makes the scene large */
+    for (int n = 0; n < 300; n++) {
+        int member;
+        const double far = n % 3 == 0 ? 1e3 : 2, high = check_random(-0.5, 3), a = check_random(-7, 7),
+                     turned = moving ? check_random(-7, 7) : 0, along = check_random(-far, far);
+        w->state.q[0] = cos(turned) * along - sin(turned) * high;
+        w->state.q[1] = sin(turned) * along + cos(turned) * high;
+        w->state.q[2] = a + turned;
+        if (moving) w->state.q[5] = turned;
+        pm_frame_look_state(&w->frame, &w->state);
+        const double gap = high - hypot(1.1 * sin(a), 0.6 * cos(a));
+        NEAR(pm_contact_gap(&w->frame, &w->state, 0, &member), gap, 1e-12 * far);
+        EQUAL(pm_contact_touches(&w->frame, &w->state, 0, &member), gap < 0);
+    }
+    scene_free(s);
+}
+
+/* An elliptic wheel that rolls far along it, by a joint and by a contact: L along the rim = way on the line. */
+static void rolls_far(int route, int joint)
+{
+    const double a = 0.4, b = 0.3, spin = 9;
+    scene *s = scene_create();
+    const int wheel = scene_body(s, 1, 0.1, 0, b, 0), g = scene_point(s, wheel, 0, 0);
+    const int road = line(s, PM_GROUND, PM_CURVE_ENDLESS), rim = ring(s, wheel, 0, a, b, 0);
+    if (joint)
+        scene_joint(s, PM_JOINT_ROLLING_CURVES, road, rim, 0);
+    else
+        touch(s, road, rim, 0, PM_FRICTION_ROUGH);
+    scene_start_omega(s, wheel, -spin);
+    const int turned = scene_minus(s, scene_measure(s, PM_MEASURE_TURNED, wheel), -3 * TWO_PI);
+    scene_until(s, scene_when(s, PM_TRIGGER_FALL, turned), 1);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X)),
+              y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y)),
+              omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, wheel));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    double rim_length = 0; /* the trapezoidal rule is exact for what is periodic */
+    for (int i = 0; i < 1000; i++)
+        rim_length += hypot(a * sin(TWO_PI * i / 1000), b * cos(TWO_PI * i / 1000)) * TWO_PI / 1000;
+    NEAR(s->out[x], 3 * rim_length, 1e-6);
+    NEAR(s->out[y], b, CLOSE);
+    NEAR(s->out[omega], -spin, 1e-6);
+    CHECK(s->audit[PM_AUDIT_ENERGY] < 1e-8);
+    scene_free(s);
+}
+
+/* A curve that bends has ends, and of two that touch the line is the first. */
+static void must_be_straight(void)
+{
+    for (int second = 0; second < 2; second++) {
+        scene *s = scene_create();
+        const int b = scene_body(s, 1, 0.1, 0, 3, 0), rim = ring(s, b, 0, 1, 1, 0),
+                  road = second ? line(s, PM_GROUND, PM_CURVE_ENDLESS) : ring(s, PM_GROUND, 0, 1, 1, 0);
+        s->cell[PM_TABLE_CURVE][road * PM_CURVE_COLUMNS + PM_CURVE_CLOSED] = PM_CURVE_ENDLESS;
+        touch(s, second ? rim : road, second ? road : rim, 0, PM_FRICTION_SMOOTH);
+        scene_until_time(s, 1);
+        EQUAL(scene_run(s, NULL), PM_BAD_VALUE);
+        scene_free(s);
+    }
+}
+
 /* ---- a flat follower on an eccentric disk ---- */
 /* y = r + e sin a over the shaft, from below up; the disk turns at a rate. */
 static int follower(scene *s, double r, double e, double rate, double high, double restitution, int friction)
@@ -286,6 +367,13 @@ int main(void)
         bounces(routes[k]);
         rocks(routes[k]);
     }
+    for (int joint = 0; joint < 2; joint++) {
+        rolls_far(PM_ROUTE_AUTO, joint);
+        rolls_far(PM_ROUTE_RK, joint);
+    }
+    beside_a_line(0);
+    beside_a_line(1);
+    must_be_straight();
     passed();
     from_behind();
     return check_failures();

@@ -219,6 +219,45 @@ static void clatters_to_rest(void)
     CHECK(undecided <= 1);
 }
 
+/* A wheel with its mass aside that bounces until it rolls, beside what is far away, if anything is: its angle, with the error. */
+static double rolls_in_the_end(const double x[4], double far, double *error)
+{
+    scene *s = estimating(PM_ROUTE_RK);
+    const int b = scene_body(s, 1, 0.05, 0, 1, x[0]), g = scene_point(s, b, 0, 0);
+    const int contact = scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, b, x[1], x[2]), 0.3),
+                                      scene_floor(s, 0), 0, x[3], PM_FRICTION_ROUGH, 0);
+    if (far > 0) {
+        const int other = scene_body(s, 1, 0.1, far, 0, 0);
+        scene_joint(s, PM_JOINT_PIN, scene_point(s, other, 0, 0), scene_point(s, PM_GROUND, far, 0), 0);
+    }
+    scene_start_omega(s, b, 2);
+    scene_start_velocity(s, g, 0.5, 0);
+    const int angle = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, b));
+    const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, contact));
+    scene_until_time(s, 1.6);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double found = s->out[closed] == 1 ? s->out[angle] : NAN;
+    *error = s->error[angle];
+    scene_free(s);
+    return found;
+}
+
+/* In a large scene a series of bounces ends where its ratio has settled, which loses more: the error says so. */
+static void ends_where_it_settles(void)
+{
+    int compared = 0;
+    for (int i = 0; i < 30; i++) {
+        const double x[4] = {check_random(-3, 3), check_random(-0.1, 0.1), check_random(-0.1, 0.1),
+                             check_random(0.1, 0.5)};
+        double error, error_alone;
+        const double beside = rolls_in_the_end(x, 60, &error), alone = rolls_in_the_end(x, 0, &error_alone);
+        if (isnan(beside) || isnan(alone)) continue;
+        compared++;
+        CHECK(fabs(beside - alone) <= 5 * (error + error_alone));
+    }
+    CHECK(compared > 10);
+}
+
 /* A particle between four walls and a disk goes another way in each pass after some fifty blows: where the numbers of blows differ,
  * and the answers, the run is undecided, however clear each blow by itself was. */
 static void billiards(void)
@@ -285,5 +324,6 @@ int main(void)
     clatters_to_rest();
     billiards();
     last_bounces();
+    ends_where_it_settles();
     return check_failures();
 }

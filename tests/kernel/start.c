@@ -77,6 +77,20 @@ static void keeps_what_is_written(void)
     scene_free(s);
 }
 
+/* A part of a velocity that is zero but for rounding is written as zero, beside the angular velocity that it follows from. */
+static void zero_is_written(void)
+{
+    scene *s = pendulum(0, 0);
+    const int g = scene_point(s, 0, 0, 0);
+    scene_start(s, PM_START_POSITION, scene_measure(s, PM_MEASURE_ANGLE, 0), -0.25 * 6.283185307179586);
+    scene_start_omega(s, 0, 2);
+    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y), 0);
+    EQUAL(check_scene(s).status, PM_OK);
+    scene_start(s, PM_START_VELOCITY, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X), 1 + 1e-7);
+    EQUAL(check_scene(s).status, PM_START_CONFLICT);
+    scene_free(s);
+}
+
 /* A slider-crank from a rough drawing; the crank's angle is written. */
 static void slider_crank(void)
 {
@@ -274,6 +288,7 @@ int main(void)
 {
     moves_least();
     keeps_what_is_written();
+    zero_is_written();
     slider_crank();
     many_rows();
     drawn_at_one_place();

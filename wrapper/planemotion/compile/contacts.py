@@ -39,7 +39,8 @@ class ContactInfo:
     """What measures and events need to know of a contact.
 
     `indices`: its rows, one for each member of a set; `owners`: of the first and second partner as written;
-    `swapped`: the kernel has them the other way round; `is_row`: the members are those of a periodic row;
+    `swapped`: the kernel has them the other way round; `turned`: and counts slip and friction along the same
+    direction (each of two curves has its own, against the other's); `is_row`: the members are those of a row;
     `is_set`: the members are the rows of `indices`; `captures`: what arrives stays; `holds_direction`:
     and does not turn against what it stays at.
     """
@@ -47,6 +48,7 @@ class ContactInfo:
     indices: tuple[int, ...]
     owners: tuple[str, str]
     swapped: bool
+    turned: bool
     is_row: bool
     is_set: bool
     captures: bool
@@ -87,7 +89,8 @@ class Contacts:
         captures = contact.capture != "none"
         turns = all(one.is_ground or self.drawing.bodies[one.owner].rotates for one in (first, second))
         whole = contact.capture == "body" and turns
-        return ContactInfo(tuple(rows), owners, swapped, b.kind == "row", is_set, captures, whole)
+        turned = swapped and not is_pair(first, second)
+        return ContactInfo(tuple(rows), owners, swapped, turned, b.kind == "row", is_set, captures, whole)
 
     def _check(self, one: Partner) -> None:
         if one.anywhere:

@@ -205,7 +205,7 @@ class ElementMeasures:
                 )
             together = _OVER_SET[quantity]
             node = sum(leaves[1:], leaves[0]) if together == "+" else call(together, *leaves)
-        return Reading(negative(node) if contact.swapped and quantity in _SIGNED else node, found)
+        return Reading(negative(node) if contact.turned and quantity in _SIGNED else node, found)
 
     def _of_capture(
         self, address: Address, contact: ContactInfo, indices: tuple[int, ...], member: int

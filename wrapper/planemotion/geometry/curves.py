@@ -38,7 +38,10 @@ _FIELDS = {"from": "start"}
 
 @dataclass(frozen=True)
 class CurveMark:
-    """The places (x, y) of `PLACE` between two bounds; `side` 1: the free side is on the left as s grows."""
+    """The places (x, y) of `PLACE` between two bounds; `side` 1: the free side is on the left as s grows.
+
+    `endless`: a straight line, that goes on beyond both.
+    """
 
     x: Node
     y: Node
@@ -46,6 +49,7 @@ class CurveMark:
     closed: bool
     side: int
     knots: Piecewise | None = None  # of a curve by points: its third derivative jumps there
+    endless: bool = False
 
     def at(self, s: Node) -> Pair:
         """The place at one s."""

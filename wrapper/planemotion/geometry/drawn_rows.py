@@ -19,6 +19,12 @@ from .marks import CircleMark, LineMark, Mass, Pair, RowMark, mass_of
 from .packing import Tables, empty_measure
 
 
+def _closing(mark: CurveMark) -> int:
+    if mark.endless:
+        return layout.PM_CURVE_ENDLESS
+    return layout.PM_CURVE_ROUND if mark.closed else layout.PM_CURVE_WITH_ENDS
+
+
 class DrawnRows:
     """The rows of a drawing in the tables: bodies, named points, and further marks when they are asked for.
 
@@ -108,7 +114,7 @@ class DrawnRows:
             (layout.PM_CURVE_FROM, layout.PM_CURVE_TO), ("from", "to"), mark.bounds, strict=True
         ):
             row[column] = self.tables.value(bound, f"{where}.{key}")
-        row |= {layout.PM_CURVE_CLOSED: int(mark.closed), layout.PM_CURVE_SIDE: mark.side}
+        row |= {layout.PM_CURVE_CLOSED: _closing(mark), layout.PM_CURVE_SIDE: mark.side}
         knots = layout.PM_NONE if mark.knots is None else self.tables.piecewise(mark.knots)
         row[layout.PM_CURVE_KNOTS] = knots
         return self.tables.add(layout.PM_TABLE_CURVE, row, where)

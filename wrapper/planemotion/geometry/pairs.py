@@ -1,16 +1,20 @@
 """Pairs of marks that touch: which the kernel has first; curves that touch or roll on each other.
 
-An edge is a straight curve that ends.
+An edge is a straight curve that ends, a line one without ends.
 """
 
 from __future__ import annotations
 
 from ..base.errors import SceneError
-from ..language.tree import cos, sin
+from ..language.dimensions import LENGTH
+from ..language.tree import Number, cos, sin
 from .curves import PLACE, CurveMark
 from .drawn_rows import DrawnRows
 from .marks import LineMark
 from .partners import Partner
+
+# Two places of a line, from the point that it goes through: they tell where it is.
+_OF_A_LINE = (Number(-1.0, LENGTH), Number(1.0, LENGTH))
 
 
 def is_pair(a: Partner, b: Partner) -> bool:
@@ -38,9 +42,9 @@ def _rank(one: Partner) -> int:
 
 
 def kernel_curve(drawn: DrawnRows, one: Partner, whole: bool = False) -> int:
-    """The kernel curve of a curve, or of an edge; `whole`: it must have no knots.
+    """The kernel curve of a curve, an edge or a line; `whole`: it must have no knots.
 
-    Raises SceneError for a line without ends, and for knots.
+    Raises SceneError for knots.
     """
     mark = as_curve(one)
     if whole and mark.knots is not None:
@@ -50,15 +54,13 @@ def kernel_curve(drawn: DrawnRows, one: Partner, whole: bool = False) -> int:
 
 
 def as_curve(one: Partner) -> CurveMark:
-    """The mark of a curve, or of an edge as a straight curve.  Raises SceneError for a line without ends."""
+    """The mark of a curve, or of an edge or a line as a straight curve."""
     if isinstance(one.mark, CurveMark):
         return one.mark
     assert isinstance(one.mark, LineMark)
     line = one.mark
-    if line.extent is None:
-        reason = "a line that touches a curve ends: an edge of a body, or { from = [...], to = [...] }"
-        raise SceneError(reason, path=one.where, value=f"{one.owner}.{one.name}")
     x, y = line.through
-    return CurveMark(
-        x + PLACE * cos(line.angle), y + PLACE * sin(line.angle), line.extent, closed=False, side=1
-    )
+    along = x + PLACE * cos(line.angle), y + PLACE * sin(line.angle)
+    if line.extent is None:
+        return CurveMark(*along, _OF_A_LINE, closed=False, side=1, endless=True)
+    return CurveMark(*along, line.extent, closed=False, side=1)

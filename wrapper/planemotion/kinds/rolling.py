@@ -1,5 +1,5 @@
 """Rolling without slip or parting: a circle on a line, a curve, or another circle from outside or
-inside; a closed curve on another.
+inside; a closed curve on another or on a line.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from .. import _layout as layout
 from ..base.errors import SceneError
 from ..geometry.curves import CurveMark
-from ..geometry.marks import LineMark
+from ..geometry.marks import CircleMark, LineMark
 from ..geometry.pairs import kernel_curve
 from ..geometry.partners import Partner, kernel_circle, side
 from ..geometry.push import Push
@@ -50,16 +50,19 @@ class Rolling(Joint):
         return JointRow(layout.PM_JOINT_ROLLING_CIRCLE, circle, other, (side(to.drawing, a, b), path))
 
     def _on_another(self, to: Writer, a: Partner, b: Partner, path: str) -> JointRow:
-        """Two curves; what the kernel has first is closed and has no knots."""
-        if not isinstance(b.mark, CurveMark):
-            reason = f"a curve rolls on another curve; of a {b.kind} and a curve name the {b.kind} first"
+        """A closed curve on another or on a line; the kernel has the line, or what has no knots, first."""
+        if isinstance(b.mark, CircleMark):
+            reason = "a curve rolls on another curve or a line; of a circle and a curve name the circle first"
             raise SceneError(reason, path=f"{path}.rolling")
-        assert isinstance(a.mark, CurveMark)
         for one in (a, b):
             if isinstance(one.mark, CurveMark) and not one.mark.closed:
                 raise SceneError("curves that roll on each other are closed", path=one.where)
-        first = kernel_curve(to.drawn, a, whole=True)
-        return JointRow(layout.PM_JOINT_ROLLING_CURVES, first, kernel_curve(to.drawn, b))
+            if isinstance(one.mark, LineMark) and one.mark.extent is not None:
+                reason = 'a curve rolls on a line without ends; on an edge it touches with friction = "rough"'
+                raise SceneError(reason, path=one.where)
+        first, second = (b, a) if isinstance(b.mark, LineMark) else (a, b)
+        whole = kernel_curve(to.drawn, first, whole=True)
+        return JointRow(layout.PM_JOINT_ROLLING_CURVES, whole, kernel_curve(to.drawn, second))
 
     def draw(self, sketch: Sketch, a: Partner, b: Partner) -> Place:
         push = self.pushes(sketch, a, b)

@@ -17,21 +17,20 @@ from ..geometry.curves import CurveMark
 from ..geometry.drawing import Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
 from ..geometry.motion import reads_motion
-from ..geometry.pairs import as_curve, is_pair
+from ..geometry.pairs import is_pair
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
 from ..language.leaves import evaluate
-from ..language.tree import Node, Number
+from ..language.tree import Node
 from ..language.units import factor
 from ..model.readers import Value, Vector
 from ..model.words import GROUND
+from .beside import along_curve, between_curves, places_of
 from .page import INK, RESOLUTION
 from .symbols import Pen, Place
 
 # Greatest size of the drawing, and the room left around what is drawn, in inches.
 _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
-# Places of a curve that are joined by straight lines.
-_OF_CURVE = 240
 # A scene of no size (one particle) is drawn as if it were so large, in m.
 _NO_SIZE = 1.0
 
@@ -93,25 +92,11 @@ class Sketch:
 
     def curve(self, owner: str, mark: CurveMark) -> np.ndarray:
         """Places [n, 2] of a curve, in the order of s."""
-        return self._places(owner, mark, self._along(mark))
+        return places_of(self, owner, mark)
 
     def along_curve(self, owner: str, mark: CurveMark, at: Place) -> tuple[Place, float]:
         """The place of a curve next to a place, and its direction there."""
-        values = self._along(mark)
-        for _ in range(2):  # once more between the neighbours of the nearest
-            places = self._places(owner, mark, values)
-            k = int(np.argmin(np.hypot(*(places - np.asarray(at)).T)))
-            first, last = max(k - 1, 0), min(k + 1, len(values) - 1)
-            values = np.linspace(values[first], values[last], _OF_CURVE + 1)
-        step = places[last] - places[first]
-        return (float(places[k, 0]), float(places[k, 1])), math.atan2(step[1], step[0])
-
-    def _along(self, mark: CurveMark) -> np.ndarray:
-        first, last = (self.number(bound) for bound in mark.bounds)
-        return np.linspace(first, last, _OF_CURVE + 1)
-
-    def _places(self, owner: str, mark: CurveMark, values: np.ndarray) -> np.ndarray:
-        return np.array([self.place(owner, mark.at(Number(float(s)))) for s in values])
+        return along_curve(self, owner, mark, at)
 
     def of_partner(self, one: Partner, other: Partner) -> Place:
         """The place of a partner that is a point or a circle (its centre)."""
@@ -325,18 +310,10 @@ class Sketch:
             (bx + side_b * radius_b * x, by + side_b * radius_b * y),
         )
 
-    def between_curves(self, a: Partner, b: Partner) -> tuple[Place, Place]:
-        """The nearest places of two curves, one of which may be an edge."""
-        places = [self.curve(one.owner, as_curve(one)) for one in (a, b)]
-        apart = np.hypot(*(places[0][:, None] - places[1][None]).T)
-        of_a = places[0][np.unravel_index(np.argmin(apart), apart.shape)[1]]
-        at_b = self.along_curve(b.owner, as_curve(b), (float(of_a[0]), float(of_a[1])))[0]
-        return self.along_curve(a.owner, as_curve(a), at_b)[0], at_b
-
     def touching(self, a: Partner, b: Partner, ends: bool = False) -> tuple[Place, Place]:
         """The nearest places of two marks that may touch; `ends`: a line goes no further than its body."""
         if is_pair(a, b):
-            return self.between_curves(a, b)
+            return between_curves(self, a, b)
         center = self.of_partner(a, b)
         radius = self.radius(a)
         if isinstance(b.mark, LineMark):
