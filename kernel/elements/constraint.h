@@ -253,6 +253,9 @@ void pm_constraint_marks_circles(const pm_frame *frame, pm_constraint *c, int a,
 void pm_constraint_marks_radii(pm_constraint *c, double radius_a, double radius_b, double side);
 /* Length l of a strand, m, and l l', m^2/s: it is least where that is zero. */
 double pm_constraint_strand_left(const pm_frame *frame, const pm_constraint *c, double *approach);
+/* Length of a steady strand, m, its rate and the rate of that: it changes as a parabola, which goes on below zero. */
+void pm_constraint_strand_course(const pm_frame *frame, const pm_constraint *c,
+                                 const struct pm_constant_motion *x, double course[3]);
 /* A point and a curve. */
 void pm_constraint_marks_curve(const pm_frame *frame, pm_constraint *c, int point, int curve);
 /* A circle and a curve. */

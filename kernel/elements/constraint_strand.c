@@ -110,6 +110,20 @@ static int steady(const pm_frame *frame, const pm_constraint *c, const pm_consta
     return fabs(speed) <= x->speed && fabs(acceleration) <= x->acceleration;
 }
 
+void pm_constraint_strand_course(const pm_frame *frame, const pm_constraint *c, const pm_constant_motion *x,
+                                 double course[3])
+{
+    pm_marks y;
+    const pm_strand strand = look(frame, c, &y);
+    course[0] = isnan(strand.length) ? 0 : strand.length;
+    course[1] = course[2] = 0;
+    for (int k = 0; k < 2; k++) {
+        const int a = 3 * c->body[0] + k, b = 3 * c->body[1] + k;
+        course[1] += (x->v[b] - x->v[a]) * strand.u[k];
+        course[2] += (x->a[b] - x->a[a]) * strand.u[k];
+    }
+}
+
 /* C'' = u.d'' + R_a alpha_a - R_b alpha_b - (d'.n)^2 / l: the last part counts against, as long as some strand is left. */
 static void bound(const pm_frame *frame, const pm_constraint *c, const double *a, double h,
                   pm_constraint_bounds *x)

@@ -83,7 +83,7 @@ int pm_event_create(pm_workspace *w)
 static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int direction, int level,
                 double slack, double natural)
 {
-    const int owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER && kind != FUNCTION_STRAND;
+    const int owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER;
     e->function[e->nfunction++] = (pm_event_function){.kind = kind,
                                                       .index = index,
                                                       .direction = direction,

@@ -124,6 +124,8 @@ int pm_event_create(pm_workspace *w);
 void pm_event_begin(pm_workspace *w);
 /* How many strands the cord of a slot has; 0: it is none.  A strand is told by twice its slot, and one more for the second. */
 int pm_event_strands(const pm_model *m, int slot);
+/* Its constraint, as a cord between two circles; of these radii how much length is nothing, m. */
+double pm_event_strand_constraint(const pm_frame *frame, int strand, pm_constraint *c);
 /* Length of the strand of a cord, m, and of its circles' radii how much is nothing. */
 double pm_event_strand_left(const pm_workspace *w, int strand, double *nothing);
 /* Whether the cord of a slot lies on a rim that it may slip on. */

@@ -16,17 +16,22 @@ int pm_event_strands(const pm_model *m, int slot)
     return pm_contact_is_cord(m, contact) ? 1 + pm_contact_has_rim(m, contact) : 0;
 }
 
-/* `strand`: twice the slot, and one more for the second of a cord over a rim. */
-static double strand_left(const pm_frame *frame, int strand, double *approach, double *nothing)
+double pm_event_strand_constraint(const pm_frame *frame, int strand, pm_constraint *c)
 {
     const int slot = strand / 2;
-    pm_constraint c, of[2];
-    pm_contact_constraint_normal(frame, pm_contact_of_slot(frame->model, slot), slot, 0, &c);
-    if (c.over) {
-        pm_constraint_cord_strands(&c, of);
-        c = of[strand % 2];
+    pm_constraint of[2];
+    pm_contact_constraint_normal(frame, pm_contact_of_slot(frame->model, slot), slot, 0, c);
+    if (c->over) {
+        pm_constraint_cord_strands(c, of);
+        *c = of[strand % 2];
     }
-    *nothing = PM_STRAND_LEAST * (fabs(c.radius_a) + fabs(c.radius_b));
+    return PM_STRAND_LEAST * (fabs(c->radius_a) + fabs(c->radius_b));
+}
+
+static double strand_left(const pm_frame *frame, int strand, double *approach, double *nothing)
+{
+    pm_constraint c;
+    *nothing = pm_event_strand_constraint(frame, strand, &c);
     return pm_constraint_strand_left(frame, &c, approach);
 }
 

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "uniform: strands never end",
+        "routes/uniform/uniform_strand.c",
+        "w->uniform->strand_end[2 * i + k] = end_of(course);",
+        "end_of(course);",
+    ),
+    Fault(
+        "uniform: a strand shortens at the speed with which it began",
+        "elements/constraint_strand.c",
+        "course[2] += (x->a[b] - x->a[a]) * strand.u[k];",
+        "course[2] += 0;",
+    ),
+    Fault(
         "uniform: joints rub for ever",
         "routes/uniform/route_uniform.c",
         "end = pm_min(u->joint_slip_end[i], end)",

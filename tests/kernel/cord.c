@@ -164,8 +164,38 @@ static void leaves(void)
     scene_free(s);
 }
 
+/* A drum that turns winds up a block, which is held back: both would stop where the block has gone `beyond` past the tangent
+ * point.  What ends so shortly before the motion does is no less seen. */
+static void winds_up(int route, double beyond)
+{
+    const double way = 2, force = 3, mass = heavy + inertia / (radius * radius);
+    const double rate = force / mass, speed = sqrt(2 * rate * (way + beyond));
+    scene *s = scene_create();
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int drum = scene_body(s, 2, inertia, 0, 0, 0), block = scene_body(s, heavy, 1, -way, radius, 0);
+    const int centre = scene_point(s, drum, 0, 0), end = scene_point(s, block, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, centre, scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_cord(s, scene_circle(s, end, 0), 1, scene_circle(s, centre, radius), -1, 0, 0);
+    SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_APPLIED, end, PM_GROUND, PM_NONE, PM_NONE,
+              SCENE_PROGRAM(s, scene_k(s, -force)), SCENE_PROGRAM(s, scene_k(s, 0)), PM_SPRING_BOTH);
+    scene_start_velocity(s, end, speed, 0);
+    scene_start_omega(s, block, 0);
+    scene_start_omega(s, drum, -speed / radius);
+    scene_until_time(s, speed / rate);
+    const int status = scene_run(s, NULL);
+    EQUAL(status, beyond > 0 ? PM_STRAND_ENDS : PM_OK);
+    EQUAL(s->count[PM_COUNT_ROUTES], 1 << PM_ROUTE_UNIFORM);
+    scene_free(s);
+}
+
 int main(void)
 {
+    for (int i = 1; i <= 5; i++) {
+        winds_up(PM_ROUTE_AUTO, pow(10, -i));
+        winds_up(PM_ROUTE_AUTO, -pow(10, -i));
+    }
+
     static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int i = 0; i < 3; i++) {
         slows_down(routes[i], 12);

@@ -45,6 +45,7 @@ static int create(pm_workspace *w)
         PM_ARRAY(u->lambda, m->nconstraint),
         PM_ARRAY(u->slip_end, m->nslot),
         PM_ARRAY(u->edge_end, m->nslot),
+        PM_ARRAY(u->strand_end, 2 * (size_t)m->nslot),
         PM_ARRAY(u->joint_slip_end, m->nfriction),
         PM_ARRAY(u->rate, 3 * (size_t)nz),
         PM_ARRAY(u->z0, nz),
@@ -123,6 +124,7 @@ static void begin_contacts(pm_workspace *w)
                                    ? INFINITY
                                    : slip_ends(w, joint_slip_at, i, pm_joint_friction_no_slip(&w->frame, i));
     pm_uniform_look(w, 0);
+    pm_uniform_strand_begin(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_uniform_gap_begin(w, i);
 }
 
@@ -198,10 +200,11 @@ static double first_reversal(pm_workspace *w, double from, double to)
     return to;
 }
 
-/* Time of the first contact that closes or stops sliding, not after `end`. */
+/* Time of the first contact that closes or stops sliding, or strand that ends, not after `end`. */
 static double first_contact(pm_workspace *w, double end)
 {
     pm_uniform *u = w->uniform;
+    end = pm_uniform_strand_first(w, end);
     for (int i = 0; i < w->model->nslot; i++) end = pm_min(fmin(u->slip_end[i], u->edge_end[i]), end);
     for (int i = 0; i < w->model->nfriction; i++) end = pm_min(u->joint_slip_end[i], end);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
@@ -236,6 +239,7 @@ static int mark_roots(struct pm_event_set *event, const pm_uniform *u)
         const int gap = f->kind == FUNCTION_GAP;
         event->root[i] = (gap && u->closing[f->index].root <= end) ||
                          (f->kind == FUNCTION_END && u->edge_end[f->index] <= end) ||
+                         (f->kind == FUNCTION_STRAND && u->strand_end[f->index] <= end) ||
                          (f->kind == FUNCTION_SLIP && u->slip_end[f->index] <= end) ||
                          (f->kind == FUNCTION_JOINT_SLIP && u->joint_slip_end[f->index] <= end);
         if (!event->root[i]) continue;
@@ -255,6 +259,7 @@ static void note_decisions(pm_workspace *w)
         if (slides && w->event->root[i])
             pm_event_evidence_rate(
                 w, i, slip_rate(w, f->kind == FUNCTION_SLIP ? slip_at : joint_slip_at, f->index));
+        if (f->kind == FUNCTION_STRAND) pm_uniform_strand_note(w, i);
         if (f->kind != FUNCTION_GAP && f->kind != FUNCTION_END) continue;
         const int contact = f->kind == FUNCTION_END ? pm_contact_of_slot(w->model, f->index) : f->index;
         pm_uniform_gap_note(w, contact);

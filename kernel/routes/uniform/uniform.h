@@ -40,9 +40,11 @@ typedef struct pm_uniform {
     double *lambda;     /* [nconstraint] */
     unsigned char *rotates, *locked;
     pm_constant_motion curve;
-    pm_closing *closing;    /* [ncontact] */
-    double *slip_end;       /* [nslot] when a sliding contact stops, from the begin of the phase */
-    double *edge_end;       /* [nslot] when what touches an edge comes to its end */
+    pm_closing *closing; /* [ncontact] */
+    double *slip_end;    /* [nslot] when a sliding contact stops, from the begin of the phase */
+    double *edge_end;    /* [nslot] when what touches an edge comes to its end */
+    double *
+        strand_end; /* [2 nslot] when a strand comes to its end: two of each slot, as FUNCTION_STRAND counts them */
     double *joint_slip_end; /* [ngrip] when the slip of a joint does */
     int irregular;          /* a contact touches and does neither leave nor rest */
     int status;             /* of looks */
@@ -78,6 +80,8 @@ void pm_uniform_rates_after(pm_workspace *w, double t, double *rate);
 /* z[nz] at t, in the step whose first rates are known. */
 void pm_uniform_integrate(pm_workspace *w, double t, double *z);
 
+/* uniform_gap.c: first positive root of g + rate s + bend s^2/2, or INFINITY; g >= 0, and rate > 0 where g = 0. */
+double pm_uniform_gap_first_root(double g, double rate, double bend);
 /* uniform_gap.c: at the begin of the phase (the frame looks there): nothing is known yet, but whether a touching contact
  * leaves or rests: else it is irregular. */
 void pm_uniform_gap_begin(pm_workspace *w, int contact);
@@ -93,6 +97,13 @@ int pm_uniform_edge_hold(const pm_workspace *w);
 void pm_uniform_edge_begin(pm_workspace *w, int contact);
 /* As pm_uniform_gap_note, whether it is open or something touches it. */
 void pm_uniform_edge_note(pm_workspace *w, int contact);
+
+/* uniform_strand.c: at the begin of the phase: when of each taut strand nothing is left. */
+void pm_uniform_strand_begin(pm_workspace *w);
+/* The first of these times that is not after `end`. */
+double pm_uniform_strand_first(const pm_workspace *w, double end);
+/* The last step has ended, at u->end: how short the strand of this function became and grew again; how fast one ends. */
+void pm_uniform_strand_note(pm_workspace *w, int function);
 
 /* The contact has just closed, and bounces too low for positions to resolve would still be told from rest. */
 int pm_uniform_resolves(const pm_workspace *w, int contact);

@@ -26,8 +26,7 @@ enum pm_end_of_advance {
     EXACTLY = 2
 }; /* still open; closes, by rounding or as a parabola */
 
-/* First positive root of g + rate s + bend s^2/2, or INFINITY; g >= 0, and rate > 0 where g = 0. */
-static double first_root(double g, double rate, double bend)
+double pm_uniform_gap_first_root(double g, double rate, double bend)
 {
     const double square = rate * rate - 2 * bend * g;
     if (bend >= 0) return rate >= 0 || square < 0 ? INFINITY : 2 * g / (-rate + sqrt(square));
@@ -45,12 +44,12 @@ static double open_for(const pm_frame *frame, const pm_uniform *uniform, const p
         pm_constraint_bounds x;
         pm_constraint_kind(c->kind)->bound(frame, c, a, h, &x);
         if (x.exact) {
-            safe = first_root(g, rate, x.bend);
+            safe = pm_uniform_gap_first_root(g, rate, x.bend);
             *exact = safe < h;
             return fmin(safe, h);
         }
         const double by_rate = x.rate > 0 ? g / x.rate : INFINITY;
-        safe = pm_max(fmin(h, fmax(first_root(g, rate, x.bend), by_rate)), safe);
+        safe = pm_max(fmin(h, fmax(pm_uniform_gap_first_root(g, rate, x.bend), by_rate)), safe);
         if (PM_UNIFORM_WIDER * safe >= h) break;
         h = safe > 0 ? PM_UNIFORM_WIDER * safe : PM_UNIFORM_SHORTER * h;
     }
