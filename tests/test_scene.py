@@ -16,6 +16,7 @@ from planemotion.examples import text_of
 from planemotion.language.units import registry
 from planemotion.model.readers import Place, Vector
 from planemotion.model.tables import Ask, Swept
+from planemotion.report.schema import schema
 from tests import STUDIES
 
 FILES = sorted(STUDIES.glob("*.toml"))
@@ -68,6 +69,26 @@ def built() -> Scene:
 
 def test_file_and_builder_make_the_same_scene() -> None:
     assert built().data == load_text(FILE).data
+
+
+def test_the_builder_writes_every_word_of_a_file() -> None:
+    scene = Scene("all", title="All", description="Every word", plane="vertical", until="t = 1 s")
+    scene.parameters(h="1 m").measured("push", at=["0 s", "1 s"], value=["0 N", "50 N"], outside="hold")
+    scene.ground(points={"O": [0, 0]}).body("block", mass="1 kg").spin(through=[0, 0])
+    scene.joint("A", pin=["block", "ground"]).coupling("m", motor=["block", "ground"])
+    scene.contact("floor", touch=["block", "ground.O"]).force("f", force="block", value=["push(t)", 0])
+    scene.template("bar", Scene("bar")).part("left", "bar").start({"block.velocity.x": "1 m/s"})
+    scene.event("low", "block.y < 0").ask("x", "block.x").runs(one={"h": "2 m"}).find(vary="h")
+    scene.grids(h=["1 m"]).solve(route="rk")
+    assert set(scene.table) == set(schema()["properties"])
+
+
+def test_a_table_of_measured_values_is_read_by_a_force_of_the_builder() -> None:
+    scene = Scene("pushed", until="t = 0.2 s", plane="horizontal")
+    scene.measured("push", at=["0 s", "0.1 s", "0.2 s"], value=["0 N", "50 N", "0 N"])
+    scene.body("block", mass="2 kg", at=[0, 0]).force("f", force="block", value=["push(t)", 0])
+    scene.ask("v", "block.velocity.x", unit="m/s")
+    assert scene.run()["v"] == pytest.approx(0.5 * 0.2 * 50 / 2, rel=1e-9)
 
 
 def test_what_is_written_comes_back() -> None:

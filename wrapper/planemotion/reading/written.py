@@ -64,6 +64,13 @@ class SceneTable:
         """Parameters: quantities, or expressions of each other."""
         return self._update("parameters", values)
 
+    def measured(self, name: str, **keys: Any) -> Self:
+        """One of the [tables]: measured values, `at` and `value`, from here or from a `file`, and options.
+
+        scene.measured("push", at=["0 s", "0.1 s"], value=["0 N", "50 N"], outside="hold")
+        """
+        return self._update("tables", {name: keys})
+
     def ground(self, **marks: Any) -> Self:
         """`points`, `lines`, `circles`, `curves` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
