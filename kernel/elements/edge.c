@@ -60,6 +60,12 @@ double pm_edge_gap(const pm_frame *frame, int contact, int *member)
     return x.height < 0 ? fmin(gap, beyond) : gap;
 }
 
+int pm_edge_is_below(const pm_frame *frame, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    return x.height < x.radius - pm_contact_length(frame);
+}
+
 double pm_edge_gap_from_below(const pm_frame *frame, int contact)
 {
     const pm_edge_place x = pm_edge_beside(frame, contact);
@@ -117,23 +123,6 @@ static int goes_over_end(const pm_frame *frame, int contact, const pm_edge_place
         if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;
     }
     return 0;
-}
-
-/* What touches nothing as it goes down over an end is below the face from there on. */
-static int goes_under(const pm_frame *frame, int contact, const pm_edge_place *x)
-{
-    int member;
-    double rate;
-    if (pm_edge_gap(frame, contact, &member) > pm_contact_length(frame) || !goes_over_end(frame, contact, x))
-        return 0;
-    pm_contact_member_gap(frame, contact, PM_SEGMENT_FACE, &rate);
-    return rate < 0;
-}
-
-int pm_edge_is_below(const pm_frame *frame, int contact)
-{
-    const pm_edge_place x = pm_edge_beside(frame, contact);
-    return x.height < x.radius - pm_contact_length(frame) || goes_under(frame, contact, &x);
 }
 
 int pm_edge_touches(const pm_frame *frame, int contact)

@@ -142,12 +142,6 @@ FAULTS = [
         "ops->slip == PM_CONSTRAINT_RATIO ? 2 : 0;",
     ),
     Fault(
-        "edge: a corner that goes down over an end is not below it",
-        "elements/edge.c",
-        "return rate < 0;",
-        "return 0 * rate;",
-    ),
-    Fault(
         "boxes that slide on each other catch where their corners pass",
         "elements/edge.c",
         "if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;",

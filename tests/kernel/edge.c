@@ -593,28 +593,6 @@ static void corners_at_one_place(int side)
     scene_free(s);
 }
 
-/* ---- over an end without touching it ---- */
-/* The corner of a body whose side hangs down from it comes down within a few touching lengths of an end of an edge, as where two
- * boxes go past each other.  It touches nothing, and falls on as if nothing were there. */
-static void corner_falls_past_an_end(int route, int end)
-{
-    const double h = check_random(0.1, 0.5), turns = check_random(-0.3, 0.3), t = check_random(0.5, 0.9);
-    const double from = 1, to = 3, within = check_random(0, 2e-10); /* the scene's size is more than 1 m */
-    scene *s = scene_create();
-    const int b = scene_body(s, 1.2, 0.1, 0, h, 0),
-              p = scene_point(s, b, end ? to - within : from + within, 0);
-    const int far = scene_circle(s, scene_point(s, PM_GROUND, 4, 1), 0),
-              side = scene_line(s, p, -0.5 * acos(-1.) + turns);
-    scene_segment(s, scene_circle(s, p, 0), edge(s, 0), from, to, 0.3, PM_FRICTION_COULOMB, 0.4);
-    scene_segment(s, far, side, 0, 0.2, 0, PM_FRICTION_SMOOTH, 0);
-    scene_until_time(s, t);
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    const int y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, p, PM_PART_Y));
-    EQUAL(scene_run(s, NULL), PM_OK);
-    NEAR(s->out[y], h - 0.5 * G * t * t, CLOSE);
-    scene_free(s);
-}
-
 int main(void)
 {
     for (int side = -1; side <= 1; side += 2) {
@@ -664,6 +642,5 @@ int main(void)
     shared_corner_strikes_once();
     overlap_is_told();
     ends_in_order();
-    for (int n = 0; n < 60; n++) corner_falls_past_an_end(routes[n % 2], n % 4 > 1);
     return check_failures();
 }

@@ -146,7 +146,6 @@ def test_a_number_is_always_the_same_throw() -> None:
         (501206, ""),  # a slip that reverses where two contacts lock, of which one parts then
         (501822, ""),  # a short bounce close to the end of an edge, which is passed before the next look
         (502434, ""),  # a blow leaves some slip of what sticks, and it slides the other way
-        (508119, ""),  # a corner goes down over the end of a side without touching it
         (102250, ""),  # what turns at once on a path has no way that energies show
     ],
 )
