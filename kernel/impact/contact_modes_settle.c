@@ -14,6 +14,7 @@
 #include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "impact/contact_modes.h"
+#include "impact/impact_parts.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -54,12 +55,29 @@ static int shared_stand(pm_workspace *w, double size)
     return stand;
 }
 
-/* Nothing pulls, holds by more than its friction, or was let go and would approach. */
+/* What slides without slip yet would slip the other way. */
+static int turns_back(const pm_workspace *w)
+{
+    const double least = PM_PULLS * pm_case_acceleration(&w->numbers);
+    for (int i = 0; i < w->model->nslot; i++) {
+        const pm_slot *s = &w->state.slot[i];
+        if (!pm_contact_modes_slides(s->mode)) continue;
+        const double slip = pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, i), s->member);
+        if (fabs(slip) > pm_contact_speed(&w->frame)) continue;
+        const pm_constraint tangent = pm_contact_modes_tangent(&w->frame, &w->state, i);
+        const double rate = pm_constraint_times(&w->frame, &tangent, w->frame.a) - tangent.gamma;
+        if (s->mode == PM_SLIDE_FORWARD ? rate < -least : rate > least) return 1;
+    }
+    return 0;
+}
+
+/* Nothing pulls, holds by more than its friction, slides against its way, or was let go and would approach. */
 static int stands(pm_workspace *w, double size)
 {
     return shared_stand(w, size) &&
            pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
-           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
+           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w) &&
+           !turns_back(w);
 }
 
 static int accelerate(pm_workspace *w)
@@ -185,24 +203,66 @@ static int check_one(pm_workspace *w)
     return status ? status : accelerate(w);
 }
 
+/* A blow, or the end of a slip, may leave a little of the slip of what sticks.  Where its mode is to slide the other way that is
+ * left over: it would come to its end at once, again and again. */
+static int slips_against(const pm_workspace *w, int slot)
+{
+    const pm_slot *s = &w->state.slot[slot];
+    if (!pm_contact_modes_slides(s->mode)) return 0;
+    const double slip = pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, slot), s->member);
+    return s->mode == PM_SLIDE_FORWARD ? slip < 0 : slip > 0;
+}
+
+/* What slips so sticks, until modes are as in `before`; how many do. */
+static int stop(pm_workspace *w, int32_t *before)
+{
+    int n = 0;
+    for (int i = 0; i < w->model->nslot; i++) {
+        before[i] = w->state.slot[i].mode;
+        n += slips_against(w, i);
+    }
+    for (int i = 0; i < w->model->nslot && n > 0; i++)
+        if (slips_against(w, i)) w->state.slot[i].mode = PM_STICK;
+    return n;
+}
+
+static void let_slide(pm_workspace *w, const int32_t *before)
+{
+    for (int i = 0; i < w->model->nslot; i++) w->state.slot[i].mode = before[i];
+}
+
+/* The velocities that modes leave of those before them, in the ledger. */
+static int account_for(pm_workspace *w)
+{
+    const double lost = w->impulses.energy_lost;
+    memcpy(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double));
+    pm_frame_look_state(&w->frame, &w->state);
+    int status = pm_active_set_build(w);
+    if (status) return status;
+    pm_saddle_evaluate(&w->active, &w->frame);
+    if ((status = pm_projection_velocity(w, &w->state))) return status;
+    const int asymmetric = w->active.asymmetric;
+    w->active.asymmetric = 0; /* the projection is along the constraints: no friction rides on it */
+    if (memcmp(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double)) != 0)
+        pm_ledger_jump(w, w->instant.velocity);
+    w->active.asymmetric = asymmetric;
+    w->impulses.energy_lost = lost;
+    return PM_OK;
+}
+
 /* What slips by less than counts as slip is stopped by the modes that stand: these impulses belong into the ledger.  Next to a
  * position where their constraints depend on each other they may be many times the slip. */
 static int account(pm_workspace *w)
 {
     const size_t velocities = (size_t)w->model->nq * sizeof(double);
-    const double lost = w->impulses.energy_lost;
-    if (w->phase.kinematic || memcmp(w->state.v, w->instant.velocity, velocities) == 0) return PM_OK;
-    memcpy(w->state.v, w->instant.velocity, velocities);
-    pm_frame_look_state(&w->frame, &w->state);
-    pm_saddle_evaluate(&w->active, &w->frame);
-    const int status = pm_projection_velocity(w, &w->state);
-    if (status) return status;
-    const int asymmetric = w->active.asymmetric;
-    w->active.asymmetric = 0; /* the projection is along the constraints: no friction rides on it */
-    if (memcmp(w->state.v, w->instant.velocity, velocities) != 0) pm_ledger_jump(w, w->instant.velocity);
-    w->active.asymmetric = asymmetric;
-    w->impulses.energy_lost = lost;
-    return accelerate(w);
+    int32_t *before = w->blow->resting;
+    if (w->phase.kinematic) return PM_OK;
+    const int stopped = stop(w, before);
+    if (!stopped && memcmp(w->state.v, w->instant.velocity, velocities) == 0) return PM_OK;
+    int status = account_for(w);
+    let_slide(w, before);
+    if (status == PM_SINGULAR && stopped) status = account_for(w);
+    return status ? status : accelerate(w);
 }
 
 static int settled(pm_workspace *w, int solved)

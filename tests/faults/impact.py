@@ -40,6 +40,24 @@ FAULTS = [
         "!= 0) (void)w;",
     ),
     Fault(
+        "settle: what slides without slip may turn back",
+        "impact/contact_modes_settle.c",
+        "rate < -least : rate > least) return 1;",
+        "rate < -least : rate > least) return 0;",
+    ),
+    Fault(
+        "settle: a slip against its mode goes on",
+        "impact/contact_modes_settle.c",
+        "n += slips_against(w, i);",
+        "",
+    ),
+    Fault(
+        "settle: what slips the way of its mode is stopped",
+        "impact/contact_modes_settle.c",
+        "s->mode == PM_SLIDE_FORWARD ? slip < 0 : slip > 0;",
+        "s->mode == PM_SLIDE_FORWARD ? slip > 0 : slip < 0;",
+    ),
+    Fault(
         "settle: friction rides on what stops a slip",
         "impact/contact_modes_settle.c",
         "w->active.asymmetric = 0;",

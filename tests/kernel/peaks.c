@@ -70,6 +70,18 @@ static void a_jump(int route, double c)
     NEAR(answer(s, out), 1 + c, 1e-13);
 }
 
+/* min(1 - x^2, 1 - 10 (x + d)), x = u - a, is greatest where one takes over from the other, before the first would be. */
+static void a_peak_that_is_cut_off(int route, double a, double d)
+{
+    int read;
+    scene *s = rod_on_pin(route, 0, PM_MEASURE_TURNED, &read);
+    const int program = SCENE_PROGRAM(s, K(1), U, K(a), SUB, U, K(a), SUB, scene_op(PM_OP_MUL), SUB, K(1), U,
+                                      K(a - d), SUB, K(10), scene_op(PM_OP_MUL), SUB, scene_op(PM_OP_MIN));
+    const int out = scene_ask_extreme(s, PM_ASK_MAX, program, PM_NONE);
+    const double x = 5 - sqrt(25 + 10 * d);
+    NEAR(answer(s, out), 1 - x * x, 1e-10);
+}
+
 /* n u - floor(n u) comes to 1 before each step, and is 1/2 as often as it rises. */
 static void stairs(int route, int n)
 {
@@ -89,6 +101,7 @@ int main(void)
             a_valley_of_two(routes[r], check_random(0.2, 2.8), pow(10, check_random(-5, -1)));
             a_peak_of_speed(routes[r], check_random(2.3, 5), pow(10, check_random(-5, -1)));
             a_jump(routes[r], check_random(0.2, 2.8));
+            a_peak_that_is_cut_off(routes[r], check_random(0.3, 2.8), pow(10, check_random(-3, -1)));
             if (i % 10 == 0) stairs(routes[r], 5 + i);
         }
     return check_failures();
