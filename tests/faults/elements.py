@@ -64,6 +64,12 @@ FAULTS = [
         "- M_PI, 2 * M_PI)) <= a->spread;",
     ),
     Fault(
+        "uniform: a strand shortens at the speed with which it began",
+        "elements/constraint_strand.c",
+        "course[2] += (x->a[b] - x->a[a]) * strand.u[k];",
+        "course[2] += 0;",
+    ),
+    Fault(
         "pairs of curves: a line goes no further than its two places",
         "elements/pair.c",
         "if (is_endless(x, curve)) return 1;",

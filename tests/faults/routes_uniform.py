@@ -10,12 +10,6 @@ FAULTS = [
         "end_of(course);",
     ),
     Fault(
-        "uniform: a strand shortens at the speed with which it began",
-        "elements/constraint_strand.c",
-        "course[2] += (x->a[b] - x->a[a]) * strand.u[k];",
-        "course[2] += 0;",
-    ),
-    Fault(
         "uniform: joints rub for ever",
         "routes/uniform/route_uniform.c",
         "end = pm_min(u->joint_slip_end[i], end)",
