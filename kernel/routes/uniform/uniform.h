@@ -40,11 +40,10 @@ typedef struct pm_uniform {
     double *lambda;     /* [nconstraint] */
     unsigned char *rotates, *locked;
     pm_constant_motion curve;
-    pm_closing *closing; /* [ncontact] */
-    double *slip_end;    /* [nslot] when a sliding contact stops, from the begin of the phase */
-    double *edge_end;    /* [nslot] when what touches an edge comes to its end */
-    double *
-        strand_end; /* [2 nslot] when a strand comes to its end: two of each slot, as FUNCTION_STRAND counts them */
+    pm_closing *closing;    /* [ncontact] */
+    double *slip_end;       /* [nslot] when a sliding contact stops, from the begin of the phase */
+    double *edge_end;       /* [nslot] when what touches an edge comes to its end */
+    double *strand_end;     /* [2 nslot] when a strand ends: two of each slot */
     double *joint_slip_end; /* [ngrip] when the slip of a joint does */
     int irregular;          /* a contact touches and does neither leave nor rest */
     int status;             /* of looks */

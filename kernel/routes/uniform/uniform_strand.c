@@ -4,8 +4,6 @@
  * falls to what counts as nothing the strand ends, however soon after it the motion would come to rest. */
 #include <math.h>
 
-#include <math.h>
-
 #include "elements/constraint.h"
 #include "events/event.h"
 #include "events/event_search.h"
