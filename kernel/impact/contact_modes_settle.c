@@ -55,29 +55,12 @@ static int shared_stand(pm_workspace *w, double size)
     return stand;
 }
 
-/* What slides without slip yet would slip the other way. */
-static int turns_back(const pm_workspace *w)
-{
-    const double least = PM_PULLS * pm_case_acceleration(&w->numbers);
-    for (int i = 0; i < w->model->nslot; i++) {
-        const pm_slot *s = &w->state.slot[i];
-        if (!pm_contact_modes_slides(s->mode)) continue;
-        const double slip = pm_contact_member_slip(&w->frame, pm_contact_of_slot(w->model, i), s->member);
-        if (fabs(slip) > pm_contact_speed(&w->frame)) continue;
-        const pm_constraint tangent = pm_contact_modes_tangent(&w->frame, &w->state, i);
-        const double rate = pm_constraint_times(&w->frame, &tangent, w->frame.a) - tangent.gamma;
-        if (s->mode == PM_SLIDE_FORWARD ? rate < -least : rate > least) return 1;
-    }
-    return 0;
-}
-
-/* Nothing pulls, holds by more than its friction, slides against its way, or was let go and would approach. */
+/* Nothing pulls, holds by more than its friction, or was let go and would approach. */
 static int stands(pm_workspace *w, double size)
 {
     return shared_stand(w, size) &&
            pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
-           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w) &&
-           !turns_back(w);
+           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
 }
 
 static int accelerate(pm_workspace *w)

@@ -40,12 +40,6 @@ FAULTS = [
         "!= 0) (void)w;",
     ),
     Fault(
-        "settle: what slides without slip may turn back",
-        "impact/contact_modes_settle.c",
-        "rate < -least : rate > least) return 1;",
-        "rate < -least : rate > least) return 0;",
-    ),
-    Fault(
         "settle: a slip against its mode goes on",
         "impact/contact_modes_settle.c",
         "n += slips_against(w, i);",

@@ -123,32 +123,6 @@ static void a_slip_against_its_mode_is_stopped(void)
     scene_free(s);
 }
 
-/* Whatever way it was said to slide, without slip: the push tells which way it does, or that friction holds it. */
-static void a_slide_without_slip_goes_where_it_is_pushed(int mode)
-{
-    const double mass = check_random(0.5, 5), mu = check_random(0.1, 0.8);
-    const double push =
-        (check_random(-1, 1) > 0 ? 1 : -1) * (check_random(0, 0.95) + (check_random(-1, 1) > 0 ? 1.05 : 0));
-    scene *s = scene_create();
-    const int p = scene_point(s, scene_body(s, mass, 0, 0, 0, 0), 0, 0);
-    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB,
-                  mu);
-    scene_applied(s, p, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, push * mu * mass * G)),
-                  SCENE_PROGRAM(s, scene_k(s, 0)));
-    scene_until_time(s, 1);
-    EQUAL(scene_begin(s), PM_OK);
-    pm_workspace *w = s->w;
-    pm_frame_look_state(&w->frame, &w->state);
-    w->state.slot[0].mode = mode;
-    w->state.v[0] = check_random(-0.9, 0.9) * pm_contact_speed(&w->frame);
-    EQUAL(pm_contact_modes_begin(w), PM_OK);
-    EQUAL(pm_contact_modes_settle(w), PM_OK);
-    const double slides = push > 1 ? push - 1 : push < -1 ? push + 1 : 0;
-    EQUAL(w->state.slot[0].mode, slides > 0 ? PM_SLIDE_FORWARD : slides < 0 ? PM_SLIDE_BACKWARD : PM_STICK);
-    NEAR(w->frame.a[0], slides * mu * G, 1e-12 * G);
-    scene_free(s);
-}
-
 /* ---- a slider-crank whose block rubs ---- */
 typedef struct crank {
     double time, omega, end;
@@ -276,10 +250,6 @@ int main(void)
     instants_without_time_come_to_an_end();
 
     for (int i = 0; i < 200; i++) a_slip_against_its_mode_is_stopped();
-    for (int i = 0; i < 300; i++) {
-        static const int modes[] = {PM_STICK, PM_SLIDE_FORWARD, PM_SLIDE_BACKWARD};
-        a_slide_without_slip_goes_where_it_is_pushed(modes[i % 3]);
-    }
     a_stopped_slip_is_booked(1e-2);
     a_stopped_slip_is_booked(1e-5);
     a_slip_that_is_not_held_stays(1e-2);
