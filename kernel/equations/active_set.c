@@ -38,10 +38,18 @@ static int leave_out(pm_active_set *x, const pm_constraint *c)
     return PM_REDUNDANT_PLACE(x->nredundant++);
 }
 
+/* The constraints appended so far, orthonormal.  Those of contacts come in two rounds, in the first one those alone that clearly add
+ * to the others: what little is left of the rest would stand in their place, and leave a system that is all but singular. */
+typedef struct pm_basis {
+    int n;
+    int clearly; /* in the first of the two rounds */
+} pm_basis;
+
 /* Appends the constraint to the active ones, or to the redundant ones; *index: its place.  Without a basis it is not tested. */
-static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *index)
+static int append(pm_workspace *w, const pm_constraint *c, pm_basis *basis, int *index)
 {
-    if (!nbasis) {
+    if (*index != PM_NONE) return PM_OK; /* in the first round */
+    if (!basis) {
         w->active.constraint[w->active.n] = *c;
         *index = w->active.n++;
         return PM_OK;
@@ -51,14 +59,15 @@ static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *ind
     int depends = PM_DEPENDENCE_NONE;
     *place = *c;
     pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
-    const int n = pm_orthonormal_rows_add_constraint(&w->saddle, *nbasis, place, &rest);
-    const int grows = n > *nbasis;
+    const int n = pm_orthonormal_rows_add_constraint(&w->saddle, basis->n, place, &rest);
+    const int grows = n > basis->n;
+    if (basis->clearly && rest.left <= PM_CLEARLY_INDEPENDENT) return PM_OK;
     if (!grows) {
         const int status = pm_dependence_nearby(w, c, &depends);
         if (status) return status;
         *place = *c;
     }
-    *nbasis = n;
+    basis->n = n;
     if (depends == PM_DEPENDENCE_FOR_GOOD) {
         *index = leave_out(&w->active, c);
     } else {
@@ -68,7 +77,7 @@ static int append(pm_workspace *w, const pm_constraint *c, int *nbasis, int *ind
     return PM_OK;
 }
 
-static int append_joints(pm_workspace *w, int *nbasis)
+static int append_joints(pm_workspace *w, pm_basis *basis)
 {
     const pm_model *m = w->model;
     for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
@@ -76,7 +85,7 @@ static int append_joints(pm_workspace *w, int *nbasis)
         const int i = w->active.joint_order[j], n = pm_joint_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
             if (pm_active_set_is_idle(&w->numbers, &c[k])) continue;
-            const int status = append(w, &c[k], nbasis, &w->active.of_joint[m->joint_constraint[i] + k]);
+            const int status = append(w, &c[k], basis, &w->active.of_joint[m->joint_constraint[i] + k]);
             if (status) return status;
         }
     }
@@ -85,14 +94,14 @@ static int append_joints(pm_workspace *w, int *nbasis)
 }
 
 /* Captured pairs are joints. */
-static int append_captured(pm_workspace *w, int *nbasis)
+static int append_captured(pm_workspace *w, pm_basis *basis)
 {
     for (int i = 0; i < w->model->nslot; i++) {
         pm_constraint c[PM_JOINT_CONSTRAINTS];
         if (w->state.slot[i].mode != PM_CAPTURED) continue;
         const int n = pm_capture_constraints(&w->frame, &w->state, i, c);
         for (int k = 0; k < n; k++) {
-            const int status = append(w, &c[k], nbasis, &w->active.slot_held[PM_JOINT_CONSTRAINTS * i + k]);
+            const int status = append(w, &c[k], basis, &w->active.slot_held[PM_JOINT_CONSTRAINTS * i + k]);
             if (status) return status;
         }
     }
@@ -113,7 +122,7 @@ static void follow_foot(const pm_model *m, int slot, pm_constraint *c)
     if (c->curve != PM_NONE) c->foot = m->nmemory - m->nslot + slot;
 }
 
-static int append_normals(pm_workspace *w, int *nbasis)
+static int append_normals(pm_workspace *w, pm_basis *basis)
 {
     const pm_slot *slot = w->state.slot;
     for (int i = 0; i < w->model->nslot; i++) {
@@ -124,14 +133,14 @@ static int append_normals(pm_workspace *w, int *nbasis)
         follow_foot(w->model, i, &normal);
         if (slides(slot[i].mode)) normal.slide = slide_factor(&w->frame, contact, slot[i].mode);
         w->active.asymmetric |= normal.slide != 0;
-        const int status = append(w, &normal, nbasis, &w->active.slot_normal[i]);
+        const int status = append(w, &normal, basis, &w->active.slot_normal[i]);
         if (status) return status;
     }
     return PM_OK;
 }
 
 /* After all normals, of contacts that do not slip. */
-static int append_tangents(pm_workspace *w, int *nbasis)
+static int append_tangents(pm_workspace *w, pm_basis *basis)
 {
     const pm_slot *slot = w->state.slot;
     for (int i = 0; i < w->model->nslot; i++) {
@@ -143,20 +152,20 @@ static int append_tangents(pm_workspace *w, int *nbasis)
         else
             pm_contact_constraint_tangent(&w->frame, contact, &w->active.constraint[active], &tangent);
         follow_foot(w->model, i, &tangent);
-        const int status = append(w, &tangent, nbasis, &w->active.slot_tangent[i]);
+        const int status = append(w, &tangent, basis, &w->active.slot_tangent[i]);
         if (status) return status;
     }
     return PM_OK;
 }
 
 /* Frictions of joints that hold. */
-static int append_friction(pm_workspace *w, int *nbasis)
+static int append_friction(pm_workspace *w, pm_basis *basis)
 {
     for (int i = 0; i < w->model->nfriction; i++) {
         pm_constraint c;
         if (w->state.friction[i] != PM_STICK) continue;
         pm_joint_friction_constraint(&w->frame, i, &c);
-        const int status = append(w, &c, nbasis, &w->active.friction_constraint[i]);
+        const int status = append(w, &c, basis, &w->active.friction_constraint[i]);
         if (status) return status;
     }
     return PM_OK;
@@ -256,21 +265,24 @@ static int leave_out_doubtful(pm_workspace *w)
     return status;
 }
 
-static int append_all(pm_workspace *w, int *nbasis)
+static int append_all(pm_workspace *w, pm_basis *basis)
 {
     pm_active_set_clear(&w->active, w->model);
-    int status = append_joints(w, nbasis);
-    if (!status) status = append_captured(w, nbasis);
-    if (!status) status = append_normals(w, nbasis);
-    if (!status) status = append_tangents(w, nbasis);
-    if (!status) status = append_friction(w, nbasis);
+    int status = append_joints(w, basis);
+    if (!status) status = append_captured(w, basis);
+    for (int round = basis ? 0 : 1; round < 2 && !status; round++) {
+        if (basis) basis->clearly = round == 0;
+        status = append_normals(w, basis);
+        if (!status) status = append_tangents(w, basis);
+        if (!status) status = append_friction(w, basis);
+    }
     return status;
 }
 
 /* A basis is dear: it is made only where constraints that depend on each other are in sight. */
 int pm_active_set_build(pm_workspace *w)
 {
-    int nbasis = 0;
+    pm_basis basis = {0, 0};
     w->active.evaluated = 0;
     if (pm_solve_cache_is_built(w)) return PM_OK;
     int status = append_all(w, NULL);
@@ -278,7 +290,7 @@ int pm_active_set_build(pm_workspace *w)
         pm_constraint_kind(w->active.constraint[i].kind)->evaluate(&w->frame, &w->active.constraint[i]);
     const int independent =
         !status && (w->active.n == 0 || pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT);
-    if (!status && !independent) status = append_all(w, &nbasis);
+    if (!status && !independent) status = append_all(w, &basis);
     if (!status && !independent) status = leave_out_doubtful(w);
     if (!status) append_carried(w);
     w->active.evaluated = independent && !w->active.asymmetric;

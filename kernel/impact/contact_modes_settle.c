@@ -30,15 +30,21 @@ static double force_size(const pm_frame *frame, const pm_active_set *active)
     return fmax(sum, pm_case_force(frame->model, frame->numbers));
 }
 
-/* A contact let go by this search whose pair would now approach. */
-static int approaches(pm_workspace *w)
+/* The pair of an open contact accelerates towards each other, by more than so much of the natural acceleration. */
+static int approaches_at(const pm_workspace *w, int slot, double part)
 {
-    const double least = -PM_PULLS * pm_case_acceleration(&w->numbers);
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i] != PM_LET_GO) continue;
-        const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
-        if (pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma < least) return 1;
-    }
+    const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, slot);
+    return pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma <
+           -part * pm_case_acceleration(&w->numbers);
+}
+
+/* A contact let go by this search whose pair would now approach. */
+static int approaches(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++)
+        if (w->state.slot[i].mode == PM_OPEN && w->instant.slot_released[i] == PM_LET_GO &&
+            approaches_at(w, i, PM_PULLS))
+            return 1;
     return 0;
 }
 
@@ -169,6 +175,26 @@ static int reverse_nearly(pm_workspace *w, int from, int most)
     return 0;
 }
 
+/* Where constraints depend on each other for an instant, the others may hold a contact to the first order, which they move apart
+ * to the second: it is let go.  1 where all stand then. */
+static int let_one_go(pm_workspace *w)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_slot *s = &w->state.slot[i];
+        const int32_t mode = s->mode;
+        const unsigned char released = w->instant.slot_released[i];
+        if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
+        s->mode = PM_OPEN;
+        w->instant.slot_released[i] = 0;
+        const int stand = stand_now(w) && !approaches_at(w, i, PM_APART_IN_TIME);
+        w->instant.slot_released[i] = stand ? PM_LET_GO : released;
+        if (stand) return 1;
+        s->mode = mode;
+    }
+    take_back(w);
+    return 0;
+}
+
 /* Fewest first; where none stand the modes are as before. */
 static void reverse_few(pm_workspace *w)
 {
@@ -268,7 +294,14 @@ int pm_contact_modes_settle(pm_workspace *w)
     for (int i = 0, changed = 1; i < most; i++) {
         take_back(w);
         int status = accelerate(w);
+        if (status == PM_SINGULAR && let_one_go(w)) return settled(w, 1);
         if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
+        if (status == PM_SINGULAR && changed && !w->phase.kinematic) {
+            take_back(w);
+            if (pm_contact_modes_solve(w, &changed) || !changed) return status;
+            solved = 1;
+            continue;
+        }
         if (status || w->phase.kinematic) return status;
         const double size = force_size(&w->frame, &w->active);
         const int stand = stands(w, size);

@@ -273,6 +273,7 @@
 #define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 #define PM_ABSURD 1e-8 /* of the forces: where modes were solved for and loads fail by more, what nearly depends holds them; smaller: rounding is taken for that */
 #define PM_REVERSED 2 /* slips that are reversed at once where contacts nearly lock; more: more ways are tried */
+#define PM_APART_IN_TIME 1e-6 /* of the natural acceleration: towards each other no more, where others hold a pair to the first order; larger: contacts that press are let go */
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
 #define PM_PROBLEM_LEMKE_TIE 1e-9 /* likewise of Lemke's loads, which only propose modes; likewise */

@@ -277,9 +277,19 @@ static int close_step(pm_workspace *w, double first, double taken, int ended)
     return pm_contact_check_places(w);
 }
 
+/* What is due within rounding of now happens now: no step fits between. */
+static int is_due_now(pm_workspace *w)
+{
+    const double due = next_due(w);
+    if (!w->phase.route->in_time || due - w->state.t > PM_TIME_TOGETHER * fabs(w->state.t)) return 0;
+    w->state.t = fmax(w->state.t, due);
+    return mark_due(w);
+}
+
 int pm_advance(pm_workspace *w, int *ended)
 {
     *ended = 0;
+    if (is_due_now(w)) return PM_OK;
     for (;;) {
         double first = INFINITY, taken = NAN;
         int status = take_step(w, &first, &taken, ended);
