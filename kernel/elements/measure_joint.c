@@ -129,10 +129,12 @@ double pm_measured_joint_friction_needed(const pm_measure_args *x)
 {
     return pm_measured_needed(pm_measured_joint_normal(x), pm_measured_joint_friction(x));
 }
+/* What holds does not slip, not by rounding either. */
 double pm_measured_joint_slip(const pm_measure_args *x)
 {
     pm_constraint c;
     if (pm_state_is_absent(x->w->model, &x->w->state, PM_TABLE_JOINT, x->a)) return NAN;
     const int k = pm_joint_friction_find(&x->w->frame, x->a, &c);
-    return k == PM_NONE ? NAN : pm_constraint_slip(&x->w->frame, &c);
+    if (k == PM_NONE) return NAN;
+    return x->w->state.friction[k] == PM_STICK ? 0 : pm_constraint_slip(&x->w->frame, &c);
 }

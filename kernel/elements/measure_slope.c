@@ -241,8 +241,8 @@ int pm_measure_slope_slip(const pm_measure_args *x, const double weight[2], pm_s
 int pm_measure_slope_joint_slip(const pm_measure_args *x, const double weight[2], pm_slope *to)
 {
     pm_constraint c;
-    if (isnan(pm_measured_joint_slip(x))) return 1;
-    pm_joint_friction_find(&x->w->frame, x->a, &c);
+    const int k = pm_joint_friction_find(&x->w->frame, x->a, &c);
+    if (k == PM_NONE || x->w->state.friction[k] == PM_STICK || isnan(pm_measured_joint_slip(x))) return 1;
     add_rate(x, &c, weight[0], to);
     return 1;
 }

@@ -177,7 +177,7 @@ def named(table: int, row: Sequence[int], column: int) -> _Named:
     if (table, column) == (layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2) and row[
         layout.PM_JOINT_KIND
     ] in _BELTS:
-        return "", "N"
+        return "pretension", "N"
     if table == layout.PM_TABLE_FORCE:
         return _FORCES.get((int(row[layout.PM_FORCE_KIND]), column), ("", ""))
     return _COLUMNS.get((table, column), ("", ""))
