@@ -15,6 +15,7 @@ from .partners import Partner
 from .writer import Writer
 
 _PINS = (layout.PM_JOINT_PIN, layout.PM_JOINT_PIN_ANGLE)
+_DRIVES = (layout.PM_JOINT_DRIVE, layout.PM_JOINT_PLACED)
 
 
 class Axles(NamedTuple):
@@ -57,14 +58,20 @@ def _places(to: Writer, wheel: Partner) -> dict[int, _Held]:
         if row[layout.PM_JOINT_KIND] in _PINS and hub in ends:
             body, at = to.drawn.place(ends[ends[0] == hub])
             found.setdefault(body, _Held(at, joint))
-        if row[layout.PM_JOINT_KIND] == layout.PM_JOINT_DRIVE and ends[0] == hub and _stands(to, row):
-            ref = PointRef(wheel.owner, "G")
-            if to.drawing.is_exact(ref):
-                found.setdefault(to.drawing.body_index(GROUND), _Held(to.drawing.position(ref), joint))
+        elif row[layout.PM_JOINT_KIND] in _DRIVES and hub == ends[0]:
+            driven = _driven(to, wheel.owner, row)
+            if driven is not None:
+                found.setdefault(to.drawing.body_index(GROUND), _Held(driven, joint))
     return found
 
 
-def _stands(to: Writer, row: tuple[int, ...]) -> bool:
-    """Whether a drive prescribes no velocity."""
-    programs = row[layout.PM_JOINT_PROGRAM_X], row[layout.PM_JOINT_PROGRAM_Y]
-    return all(is_zero(to.tables.node_of(program)) for program in programs)
+def _driven(to: Writer, owner: str, row: tuple[int, ...]) -> Pair | None:
+    """Where a drive holds the centre for good; None where it moves, or is not exactly drawn."""
+    x, y = (
+        to.tables.node_of(row[column]) for column in (layout.PM_JOINT_PROGRAM_X, layout.PM_JOINT_PROGRAM_Y)
+    )
+    if row[layout.PM_JOINT_KIND] == layout.PM_JOINT_PLACED:
+        return (x, y) if to.is_steady(x, y) else None
+    centre = PointRef(owner, "G")
+    stands = is_zero(x) and is_zero(y) and to.drawing.is_exact(centre)
+    return to.drawing.position(centre) if stands else None
