@@ -418,6 +418,31 @@ def test_an_impulse_is_not_passed_on(route: str) -> None:
     )
 
 
+@pytest.mark.parametrize("friction", ["", ", friction = 0.4"])
+def test_a_jerk_at_a_wheel(friction: str) -> None:
+    """A block falls into a cord that is wound on one wheel: a belt that grips takes the other wheel along."""
+    found = answers(f"""
+until = "jerk"
+bodies.a = {{ disk = "0.2 m", mass = "4 kg", at = [0, 0] }}
+bodies.b = {{ disk = "0.1 m", mass = "6 kg", at = ["-0.7 m", 0] }}
+bodies.block = {{ mass = "2 kg", at = ["0.2 m", "-1 m"] }}
+joints.A = {{ pin = ["a.center", "ground"] }}
+joints.B = {{ pin = ["b.center", "ground"] }}
+couplings.cord = {{ cord = ["a.rim cw", "block"], slack = "0.5 m" }}
+couplings.belt = {{ belt = ["a.rim", "b.rim"], pretension = "70 N"{friction} }}
+events.jerk = "cord tightens"
+[ask]
+a = "a.omega"
+b = "b.omega"
+impulse = "cord.impulse"
+""")
+    inertia = 0.5 * 4 * 0.04 + (0 if friction else 0.5 * 6 * 0.01 * 4)
+    speed = math.sqrt(2 * G * 0.5)
+    omega = -2 * speed * 0.2 / (inertia + 2 * 0.04)
+    wanted = {"a": omega, "b": 0 if friction else 2 * omega, "impulse": -inertia * omega / 0.2}
+    assert found == pytest.approx(wanted, rel=1e-10, abs=1e-12)
+
+
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_belt_that_comes_and_goes(route: str) -> None:
     """Put on at 1 s, and taken off at 1.4 s: until then and from then on nothing draws at the axles."""
