@@ -73,7 +73,10 @@ enum pm_joint_kind {
     PM_JOINT_RACK = 20,  /* a circle meshes with the teeth of line b, at the pressure angle value_2.      1 */
     PM_JOINT_ROLLING_CURVE = 21, /* a circle rolls on curve b, on its free side.                          2 */
     PM_JOINT_ROLLING_CURVES = 22, /* closed curve a rolls on curve b, each on the other's free side.      2 */
-    PM_JOINT_KINDS = 23
+    /* BELT on axles whose distance is fixed; either strand carries value_2 at rest.  1 */
+    PM_JOINT_BELT_GRIPS = 23,
+    PM_JOINT_BELT_SLIPS = 24, /* the same; it drives by its PM_FORCE_FRICTION alone.  0 */
+    PM_JOINT_KINDS = 25
 };
 /* side of two circles: 1 outside each other, -1 a inside b, -2 b inside a */
 enum pm_joint_column {
@@ -83,8 +86,8 @@ enum pm_joint_column {
     PM_JOINT_VALUE = 3,
     PM_JOINT_PROGRAM_X = 4, /* prescribed rates or places: of the time alone, or PM_NONE */
     PM_JOINT_PROGRAM_Y = 5,
-    PM_JOINT_VALUE_2 =
-        6, /* value index of the pressure angle, 0 .. 60 degrees, of what has teeth; or PM_NONE */
+    /* value index: of what has teeth the pressure angle, 0 .. 60 degrees; of BELT_GRIPS, BELT_SLIPS a tension */
+    PM_JOINT_VALUE_2 = 6,
     PM_JOINT_COLUMNS = 7
 };
 
@@ -167,8 +170,8 @@ enum pm_force_kind {
     PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
     PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (ground: scene) */
     PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */
-    /* dry friction of joint a (= b): a pin, a slider, or a link as a slot; a couple or a force up to
-     * value_1 + value_2 * its reaction */
+    /* dry friction of joint a (= b): a pin, a slider, a link as a slot, gears, or a belt; a couple or a force
+     * up to value_1 + value_2 * its reaction */
     PM_FORCE_FRICTION = 6,
     PM_FORCE_LINE = 7, /* points a, b: program_x draws them together along their connection */
     PM_FORCE_KINDS = 8
@@ -211,9 +214,10 @@ enum pm_measure_kind {
     PM_MEASURE_ACCELERATION = 16,     /* vector: point a */
     PM_MEASURE_JOINT_FORCE = 17,      /* vector */
     PM_MEASURE_JOINT_COUPLE = 18,
-    PM_MEASURE_JOINT_IMPULSE = 19,         /* vector, of the last jump */
-    PM_MEASURE_JOINT_NORMAL = 20,          /* rolling: > 0 pushes */
-    PM_MEASURE_JOINT_FRICTION = 21,        /* rolling: along the line, or left of the normal on a */
+    PM_MEASURE_JOINT_IMPULSE = 19, /* vector, of the last jump */
+    PM_MEASURE_JOINT_NORMAL = 20,  /* rolling: > 0 pushes; belt: what its first strand carries */
+    /* rolling: along the line, or left of the normal on a; belt: what its second strand carries */
+    PM_MEASURE_JOINT_FRICTION = 21,
     PM_MEASURE_JOINT_FRICTION_NEEDED = 22, /* |F|/N; undefined (not a number) unless N > 0 */
     PM_MEASURE_CONTACT_GAP = 23,
     PM_MEASURE_CONTACT_CLOSED = 24, /* 1 or 0; a pattern without member: how many are closed */
@@ -252,7 +256,8 @@ enum pm_measure_kind {
     /* of a cord over a rim, of its strand number `member`, 0 or 1: what pulls there, and in the last jump */
     PM_MEASURE_CONTACT_TENSION = 55,
     PM_MEASURE_CONTACT_TENSION_IMPULSE = 56,
-    PM_MEASURE_KINDS = 57
+    PM_MEASURE_JOINT_SLIP = 57, /* of what has friction: along it, m/s or rad/s */
+    PM_MEASURE_KINDS = 58
 };
 enum pm_part {
     PM_PART_NONE = 0,

@@ -60,7 +60,8 @@ enum pm_constraint_kind {
     PM_CONSTRAINT_CORD = 16,
     PM_CONSTRAINT_CORD_SLIP = 17,
     PM_CONSTRAINT_TEETH_SLIP = 18,
-    PM_CONSTRAINT_KINDS = 19
+    PM_CONSTRAINT_BELT = 19,
+    PM_CONSTRAINT_KINDS = 20
 };
 
 /* What the program of a driven constraint gives: its rate, or that which the rate is of, a length or an angle. */
@@ -104,14 +105,15 @@ extern const pm_constraint_ops pm_constraint_point_x, pm_constraint_point_y, pm_
     pm_constraint_line_tangent, pm_constraint_distance, pm_constraint_circle_tangent, pm_constraint_angle,
     pm_constraint_strand, pm_constraint_drive, pm_constraint_ratio, pm_constraint_curve_normal,
     pm_constraint_curve_tangent, pm_constraint_teeth, pm_constraint_rack, pm_constraint_pair_normal,
-    pm_constraint_pair_tangent, pm_constraint_cord, pm_constraint_cord_slip, pm_constraint_teeth_slip;
+    pm_constraint_pair_tangent, pm_constraint_cord, pm_constraint_cord_slip, pm_constraint_teeth_slip,
+    pm_constraint_belt;
 
 const pm_constraint_ops *pm_constraint_kind(int kind);
 
-/* The constraints of joint i with the numbers of the case; returns how many. */
+/* The constraints that joint i holds, with the numbers of the case; returns how many. */
 int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
                          pm_constraint c[PM_JOINT_CONSTRAINTS]);
-/* The same, whether the joint is there or not. */
+/* The same, whether the joint is there or not, and whether it or its friction alone holds them. */
 int pm_joint_constraints_of_any(const pm_frame *frame, int joint, pm_constraint c[PM_JOINT_CONSTRAINTS]);
 /* The normal constraints of all contacts, with the numbers of the case: pm_contact_constraint_normal copies them. */
 void pm_contact_compose(const pm_frame *frame);

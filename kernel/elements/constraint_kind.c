@@ -25,6 +25,7 @@ const pm_constraint_ops *pm_constraint_kind(int kind)
         [PM_CONSTRAINT_CORD] = &pm_constraint_cord,
         [PM_CONSTRAINT_TEETH_SLIP] = &pm_constraint_teeth_slip,
         [PM_CONSTRAINT_CORD_SLIP] = &pm_constraint_cord_slip,
+        [PM_CONSTRAINT_BELT] = &pm_constraint_belt,
     };
     return kinds[kind];
 }

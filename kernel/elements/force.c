@@ -145,6 +145,14 @@ static int steady_applied(const pm_frame *frame, const int32_t *e, const pm_cons
            pm_constant_motion_point(frame, x, e[PM_FORCE_A]);
 }
 
+/* Its points stay apart as they are: no spin moves them, and they go alike. */
+static int steady_line(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
+{
+    pm_constraint c = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
+    pm_constraint_marks_points(frame, &c, e[PM_FORCE_A], e[PM_FORCE_B]);
+    return constant(frame, e[PM_FORCE_PROGRAM_X]) && pm_constant_motion_together(frame, &c, x);
+}
+
 static int steady_friction(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
     return pm_joint_friction_steady(frame, number_of(frame, e), x);
@@ -171,7 +179,7 @@ static const pm_force_ops kinds[PM_FORCE_KINDS] = {
     [PM_FORCE_APPLIED] = {POINT, BODY, .programs = 2, .law = applied, .steady = steady_applied},
     [PM_FORCE_COUPLE] = {BODY, BODY, .programs = 1, .place = rotary_place, .law = couple,
                          .steady = steady_couple},
-    [PM_FORCE_LINE] = {POINT, POINT, .programs = 1, .place = line_place, .law = line},
+    [PM_FORCE_LINE] = {POINT, POINT, .programs = 1, .place = line_place, .law = line, .steady = steady_line},
     [PM_FORCE_FRICTION] = {JOINT,
                            JOINT,
                            {PM_FORCE_NOT_NEGATIVE, PM_FORCE_NOT_NEGATIVE},

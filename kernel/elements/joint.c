@@ -123,6 +123,13 @@ static void belt(const pm_frame *frame, const int32_t *e, pm_constraint *c)
     }
 }
 
+/* Its tension given, what the strands carry differs by what the belt drives with. */
+static void belt_drives(const pm_frame *frame, const int32_t *e, pm_constraint *c)
+{
+    pm_constraint_marks_strand(frame, c, e[PM_JOINT_A], e[PM_JOINT_B], 1, number(frame, e));
+    c->kind = PM_CONSTRAINT_BELT;
+}
+
 static void rate(const pm_frame *frame, const int32_t *e, pm_constraint *c)
 {
     c->kind = PM_CONSTRAINT_RATIO;
@@ -249,6 +256,10 @@ static const pm_joint_ops kinds[PM_JOINT_KINDS] = {
                                 .slip = PM_NONE, .compose = rolling_curve},
     [PM_JOINT_ROLLING_CURVES] = {CURVE, CURVE, .nconstraint = 2, .memories = 1, .feet = 1, .presses = 1,
                                  .slip = PM_NONE, .compose = rolling_curves},
+    [PM_JOINT_BELT_GRIPS] = {CIRCLE, CIRCLE, PM_NUMBER_ANY, .nconstraint = 1, .memories = 1, .strands = 1,
+                             .slip = PM_NONE, .compose = belt_drives},
+    [PM_JOINT_BELT_SLIPS] = {CIRCLE, CIRCLE, PM_NUMBER_ANY, .nconstraint = 1, .by_friction = 1, .strands = 1,
+                             .slip = PM_CONSTRAINT_BELT, .compose = belt_drives},
 };
 
 const pm_joint_ops *pm_joint_kind(int kind) { return &kinds[kind]; }
@@ -261,7 +272,9 @@ const pm_joint_ops *pm_joint_of(const pm_model *m, int joint)
 int pm_joint_constraints(const pm_frame *frame, const pm_state *state, int joint,
                          pm_constraint c[PM_JOINT_CONSTRAINTS])
 {
-    if (pm_state_is_absent(frame->model, state, PM_TABLE_JOINT, joint)) return 0;
+    if (pm_joint_of(frame->model, joint)->by_friction ||
+        pm_state_is_absent(frame->model, state, PM_TABLE_JOINT, joint))
+        return 0;
     return pm_joint_constraints_of_any(frame, joint, c);
 }
 

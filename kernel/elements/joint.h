@@ -25,12 +25,14 @@ typedef struct pm_joint_ops {
     int number;   /* enum pm_joint_number */
     int programs; /* 0, 1 or 2 of prescribed rates or places */
     int nconstraint;
-    int memories; /* so many of its last constraints keep an anchor */
-    int feet;     /* 1: its constraints share the memory of a foot on a curve */
-    int presses;  /* constraint 0 is a normal force */
-    int flanks;   /* 1: teeth, of which one flank is loaded at a time (teeth.h); it has a pressure angle */
-    int slip;     /* the kind of constraint along which it slips where it has friction, or PM_NONE */
-    int repeats;  /* enum pm_joint_repeats */
+    int by_friction; /* 1: not the joint but its friction holds them, which slips where it is overcome */
+    int memories;    /* so many of its last constraints keep an anchor */
+    int feet;        /* 1: its constraints share the memory of a foot on a curve */
+    int presses;     /* constraint 0 is a normal force */
+    int strands;     /* 1: constraint 0 is a belt, each strand of which carries value_2 at rest */
+    int flanks;      /* 1: teeth, of which one flank is loaded at a time (teeth.h); it has a pressure angle */
+    int slip;        /* the kind of constraint along which it slips where it has friction, or PM_NONE */
+    int repeats;     /* enum pm_joint_repeats */
     void (*compose)(const pm_frame *frame, const int32_t *e, pm_constraint *c);
 } pm_joint_ops;
 

@@ -1,4 +1,5 @@
-/* joint_friction.c - friction of joints (dry, Coulomb): a couple in a bearing, a force along a slider or a slot.
+/* joint_friction.c - friction of joints (dry, Coulomb): a couple in a bearing, a force along a slider or a slot, what a belt
+ * drives with.
  *
  *   |F| <= F0 + c |R|  where it holds,   F = -(F0 + c |R|) sgn(slip)  where it slides
  *
@@ -114,25 +115,28 @@ double pm_joint_friction_sliding(const pm_workspace *w, int k)
                                                        : 0;
 }
 
+int pm_joint_friction_find(const pm_frame *frame, int joint, pm_constraint *c)
+{
+    for (int k = 0; k < frame->model->nfriction; k++) {
+        if (joint_of(frame, k) != joint) continue;
+        pm_joint_friction_constraint(frame, k, c);
+        return k;
+    }
+    return PM_NONE;
+}
+
 double pm_joint_friction_of_joint(const pm_workspace *w, int joint, pm_constraint *c)
 {
-    for (int k = 0; k < w->model->nfriction; k++) {
-        if (joint_of(&w->frame, k) != joint) continue;
-        pm_joint_friction_constraint(&w->frame, k, c);
-        return w->active.friction_constraint[k] == PM_NONE ? pm_joint_friction_sliding(w, k)
-                                                           : pm_reaction(w, w->active.friction_constraint[k]);
-    }
-    return 0;
+    const int k = pm_joint_friction_find(&w->frame, joint, c);
+    if (k == PM_NONE) return 0;
+    const int place = w->active.friction_constraint[k];
+    return place == PM_NONE ? pm_joint_friction_sliding(w, k) : pm_reaction(w, place);
 }
 
 double pm_joint_friction_impulse(const pm_workspace *w, int joint, pm_constraint *c)
 {
-    for (int k = 0; k < w->model->nfriction; k++) {
-        if (joint_of(&w->frame, k) != joint) continue;
-        pm_joint_friction_constraint(&w->frame, k, c);
-        return w->impulses.friction[k];
-    }
-    return 0;
+    const int k = pm_joint_friction_find(&w->frame, joint, c);
+    return k == PM_NONE ? 0 : w->impulses.friction[k];
 }
 
 static int of_force(const pm_frame *frame, int force)

@@ -1,4 +1,4 @@
-/* joint_friction.h - friction of joints: bearings, sliders and slots that have it. */
+/* joint_friction.h - friction of joints: bearings, sliders, slots and belts that have it. */
 #ifndef PM_JOINT_FRICTION_H
 #define PM_JOINT_FRICTION_H
 
@@ -14,6 +14,8 @@ int pm_joint_friction_by_load(const pm_frame *frame, const pm_state *state);
 int pm_joint_friction_joint(const pm_model *m, int k);
 /* The constraint of the slip of friction k, whether it holds or not. */
 void pm_joint_friction_constraint(const pm_frame *frame, int k, pm_constraint *c);
+/* The friction of a joint and its constraint; PM_NONE where it has none. */
+int pm_joint_friction_find(const pm_frame *frame, int joint, pm_constraint *c);
 /* Slip at the frame, m/s or rad/s; below this it is none. */
 double pm_joint_friction_slip(const pm_frame *frame, int k);
 double pm_joint_friction_no_slip(const pm_frame *frame, int k);

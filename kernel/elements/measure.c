@@ -68,6 +68,8 @@ static const pm_measure_ops kinds[PM_MEASURE_KINDS] = {
     [PM_MEASURE_JOINT_FRICTION] = {JOINT, MOTION, LINEAR, 0, DYNAMIC, .scalar = pm_measured_joint_friction},
     [PM_MEASURE_JOINT_FRICTION_NEEDED] = {JOINT, MOTION, CONVEX, 0, DYNAMIC,
                                           .scalar = pm_measured_joint_friction_needed},
+    [PM_MEASURE_JOINT_SLIP] = {JOINT, MOTION, ROOT, 1, 0, .scalar = pm_measured_joint_slip,
+                               .slope = pm_measure_slope_joint_slip},
     [PM_MEASURE_JOINT_POWER] = {JOINT, MOTION, UNKNOWN, NO_DEGREE, DYNAMIC,
                                 .scalar = pm_measured_joint_power},
     [PM_MEASURE_CONTACT_GAP] = {CONTACT, PLACE, SAME, 2, 0, .scalar = pm_measured_contact_gap,
@@ -273,9 +275,10 @@ static int joint_has(const pm_model *m, int kind, int joint)
     const pm_joint_ops *ops = pm_joint_of(m, joint);
     const int slides = ops->slip != PM_NONE && ops->slip != PM_CONSTRAINT_RATIO;
     switch (kind) {
-    case PM_MEASURE_JOINT_FRICTION: return ops->presses || slides;
+    case PM_MEASURE_JOINT_FRICTION: return ops->presses || ops->strands || slides;
+    case PM_MEASURE_JOINT_SLIP: return ops->slip != PM_NONE;
     case PM_MEASURE_JOINT_POWER: return ops->programs > 0;
-    case PM_MEASURE_JOINT_NORMAL:
+    case PM_MEASURE_JOINT_NORMAL: return ops->presses || ops->strands;
     case PM_MEASURE_JOINT_FRICTION_NEEDED: return ops->presses;
     default: return 1;
     }

@@ -1,7 +1,8 @@
 /* measure_joint.c - what joints do to their bodies.
  *
  * A constraint with reaction lambda does lambda n to the first body and -lambda n to the second, and its couples
- * (constraint.h); what acts at a joint is the sum over its constraints, and the dry friction in it (joint_friction.h). */
+ * (constraint.h); what acts at a joint is the sum over its constraints, and the dry friction in it (joint_friction.h).
+ * A belt that carries T_0 in either strand at rest carries T_0 + F/2 and T_0 - F/2 where it drives with F. */
 #include <string.h>
 
 #include "elements/constraint.h"
@@ -17,7 +18,8 @@ static int partner_of(const pm_measure_args *x)
 {
     pm_constraint c[PM_JOINT_CONSTRAINTS];
     if (x->e[PM_MEASURE_ON] == PM_NONE) return 0;
-    if (pm_joint_constraints(&x->w->frame, &x->w->state, x->a, c) == 0) return PM_NONE;
+    if (pm_state_is_absent(x->w->model, &x->w->state, PM_TABLE_JOINT, x->a)) return PM_NONE;
+    pm_joint_constraints_of_any(&x->w->frame, x->a, c);
     return c[0].body[0] != pm_model_body_index(x->w->model, x->e[PM_MEASURE_ON]);
 }
 
@@ -101,14 +103,38 @@ static double constraint_reaction(const pm_measure_args *x, int row)
     const int place = x->w->active.of_joint[x->w->model->joint_constraint[x->a] + row];
     return place == PM_NONE ? NAN : pm_reaction(x->w, place);
 }
-double pm_measured_joint_normal(const pm_measure_args *x) { return constraint_reaction(x, 0); }
+/* What strand 0 or 1 of a belt carries; nothing where the belt is not there. */
+static double tension(const pm_measure_args *x, const pm_joint_ops *ops, int strand)
+{
+    pm_constraint c;
+    if (pm_state_is_absent(x->w->model, &x->w->state, PM_TABLE_JOINT, x->a)) return 0;
+    const double at_rest = x->w->numbers.value[PM_JOINT_ROW(x->w->model, x->a)[PM_JOINT_VALUE_2]];
+    const double drives =
+        ops->by_friction ? pm_joint_friction_of_joint(x->w, x->a, &c) : constraint_reaction(x, 0);
+    return at_rest + (strand == 0 ? 0.5 : -0.5) * drives;
+}
+double pm_measured_joint_normal(const pm_measure_args *x)
+{
+    const pm_joint_ops *ops = pm_joint_of(x->w->model, x->a);
+    return ops->strands ? tension(x, ops, 0) : constraint_reaction(x, 0);
+}
 double pm_measured_joint_friction(const pm_measure_args *x)
 {
     pm_constraint c;
-    const int presses = pm_joint_of(x->w->model, x->a)->presses;
-    return presses ? constraint_reaction(x, 1) : pm_joint_friction_of_joint(x->w, x->a, &c);
+    const pm_joint_ops *ops = pm_joint_of(x->w->model, x->a);
+    if (ops->strands) return tension(x, ops, 1);
+    return ops->presses ? constraint_reaction(x, 1) : pm_joint_friction_of_joint(x->w, x->a, &c);
 }
 double pm_measured_joint_friction_needed(const pm_measure_args *x)
 {
     return pm_measured_needed(pm_measured_joint_normal(x), pm_measured_joint_friction(x));
+}
+/* What holds does not slip, not by rounding either. */
+double pm_measured_joint_slip(const pm_measure_args *x)
+{
+    pm_constraint c;
+    if (pm_state_is_absent(x->w->model, &x->w->state, PM_TABLE_JOINT, x->a)) return NAN;
+    const int k = pm_joint_friction_find(&x->w->frame, x->a, &c);
+    if (k == PM_NONE) return NAN;
+    return x->w->state.friction[k] == PM_STICK ? 0 : pm_constraint_slip(&x->w->frame, &c);
 }

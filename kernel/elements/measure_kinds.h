@@ -25,7 +25,7 @@ pm_vector pm_measured_momentum, pm_measured_pole, pm_measured_position, pm_measu
     pm_measured_velocity, pm_measured_acceleration;
 /* measure_joint.c */
 pm_scalar pm_measured_joint_couple, pm_measured_joint_normal, pm_measured_joint_friction,
-    pm_measured_joint_friction_needed, pm_measured_joint_power;
+    pm_measured_joint_friction_needed, pm_measured_joint_power, pm_measured_joint_slip;
 pm_vector pm_measured_joint_force, pm_measured_joint_impulse;
 /* measure_contact.c */
 pm_scalar pm_measured_contact_gap, pm_measured_contact_closed, pm_measured_contact_slip,
@@ -48,9 +48,10 @@ pm_measure_sloped pm_measure_slope_nothing, pm_measure_slope_angle, pm_measure_s
     pm_measure_slope_omega, pm_measure_slope_inertia, pm_measure_slope_kinetic, pm_measure_slope_momentum,
     pm_measure_slope_angular_momentum, pm_measure_slope_pole, pm_measure_slope_position,
     pm_measure_slope_moved, pm_measure_slope_velocity, pm_measure_slope_gap, pm_measure_slope_slip,
-    pm_measure_slope_force, pm_measure_slope_couple, pm_measure_slope_work, pm_measure_slope_power,
-    pm_measure_slope_stretch, pm_measure_slope_rate, pm_measure_slope_energy, pm_measure_slope_potential,
-    pm_measure_slope_total, pm_measure_slope_spin_omega, pm_measure_slope_spin_inertia;
+    pm_measure_slope_joint_slip, pm_measure_slope_force, pm_measure_slope_couple, pm_measure_slope_work,
+    pm_measure_slope_power, pm_measure_slope_stretch, pm_measure_slope_rate, pm_measure_slope_energy,
+    pm_measure_slope_potential, pm_measure_slope_total, pm_measure_slope_spin_omega,
+    pm_measure_slope_spin_inertia;
 
 /* The least coefficient of friction with which it holds, with the sign of the friction; not a number where nothing presses. */
 static inline double pm_measured_needed(double normal, double friction)

@@ -6,6 +6,7 @@
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "elements/force_slope.h"
+#include "elements/joint_friction.h"
 #include "elements/measure_kinds.h"
 #include "elements/turning_plane.h"
 #include "numerics/tolerances.h"
@@ -212,21 +213,37 @@ int pm_measure_slope_gap(const pm_measure_args *x, const double weight[2], pm_sl
     return 1;
 }
 
+/* The rate of a constraint. */
+static void add_rate(const pm_measure_args *x, pm_constraint *c, double weight, pm_slope *to)
+{
+    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], turn[PM_CONSTRAINT_COORDINATES];
+    pm_constraint_kind(c->kind)->evaluate(&x->w->frame, c);
+    pm_constraint_bend(&x->w->frame, c, bend);
+    pm_constraint_bend_along(&x->w->frame, c, bend, x->w->frame.v, turn);
+    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(c), c->body, c->j, weight, 1);
+    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(c), c->body, turn, weight, 0);
+}
+
 /* Where the contact is closed its slip is the rate of the tangential constraint. */
 int pm_measure_slope_slip(const pm_measure_args *x, const double weight[2], pm_slope *to)
 {
     int slot;
     const int member = member_of(x, &slot);
     pm_constraint normal, tangent;
-    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], turn[PM_CONSTRAINT_COORDINATES];
     if (isnan(pm_measured_contact_slip(x))) return 1;
     const double along = weight[0] * pm_edge_way(x->w->model, x->a, member);
     pm_contact_constraint_both(&x->w->frame, x->a, slot, member, &normal, &tangent);
-    pm_constraint_kind(tangent.kind)->evaluate(&x->w->frame, &tangent);
-    pm_constraint_bend(&x->w->frame, &tangent, bend);
-    pm_constraint_bend_along(&x->w->frame, &tangent, bend, x->w->frame.v, turn);
-    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(&tangent), tangent.body, tangent.j, along, 1);
-    pm_slope_add_bodies(&x->w->frame, to, pm_constraint_bodies(&tangent), tangent.body, turn, along, 0);
+    add_rate(x, &tangent, along, to);
+    return 1;
+}
+
+/* ---- joints ---- */
+int pm_measure_slope_joint_slip(const pm_measure_args *x, const double weight[2], pm_slope *to)
+{
+    pm_constraint c;
+    const int k = pm_joint_friction_find(&x->w->frame, x->a, &c);
+    if (k == PM_NONE || x->w->state.friction[k] == PM_STICK || isnan(pm_measured_joint_slip(x))) return 1;
+    add_rate(x, &c, weight[0], to);
     return 1;
 }
 

@@ -128,18 +128,25 @@ static int check_partners(pm_workspace *w, int contact)
     return radius > 0 ? PM_OK : out_of_bound(&w->result, PM_TABLE_CONTACT, contact, PM_CONTACT_A, radius, 0);
 }
 
+static int check_joint(pm_workspace *w, int joint)
+{
+    const pm_joint_ops *ops = pm_joint_of(w->model, joint);
+    const int32_t *e = PM_JOINT_ROW(w->model, joint);
+    if (ops->flanks && w->numbers.value[e[PM_JOINT_VALUE_2]] > PM_PRESSURE_MOST)
+        return out_of_bound(&w->result, PM_TABLE_JOINT, joint, PM_JOINT_VALUE_2,
+                            w->numbers.value[e[PM_JOINT_VALUE_2]], PM_PRESSURE_MOST);
+    if (ops->number == PM_NUMBER_SIDE)
+        return check_side(&w->numbers, &w->result, PM_TABLE_JOINT, joint, PM_JOINT_VALUE, e[PM_JOINT_VALUE]);
+    const int length = ops->number == PM_NUMBER_LENGTH;
+    return ops->number ? check(w, PM_TABLE_JOINT, joint, PM_JOINT_VALUE, length ? 0 : -INFINITY, length)
+                       : PM_OK;
+}
+
 static int check_elements(pm_workspace *w)
 {
     const pm_model *m = w->model;
     int status = PM_OK;
-    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
-        const int number = pm_joint_of(m, i)->number, length = number == PM_NUMBER_LENGTH;
-        if (number == PM_NUMBER_SIDE)
-            status = check_side(&w->numbers, &w->result, PM_TABLE_JOINT, i, PM_JOINT_VALUE,
-                                PM_JOINT_ROW(m, i)[PM_JOINT_VALUE]);
-        else if (number)
-            status = check(w, PM_TABLE_JOINT, i, PM_JOINT_VALUE, length ? 0 : -INFINITY, length);
-    }
+    for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) status = check_joint(w, i);
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) status = check_partners(w, i);
     for (int i = 0; !status && i < m->rows[PM_TABLE_FORCE]; i++) {
         const int *number = pm_force_of(m, i)->number;

@@ -188,11 +188,15 @@ int pm_start_check_couplings(pm_workspace *w)
     int status = PM_OK;
     for (int i = 0; !status && i < m->rows[PM_TABLE_JOINT]; i++) {
         const int kind = PM_JOINT_ROW(m, i)[PM_JOINT_KIND];
-        if (kind != PM_JOINT_GEARS && kind != PM_JOINT_BELT && !pm_joint_of(m, i)->flanks) continue;
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, c);
+        const pm_joint_ops *ops = pm_joint_of(m, i);
+        const int belt = kind == PM_JOINT_BELT || ops->strands;
+        if ((kind != PM_JOINT_GEARS && !belt && !ops->flanks) ||
+            pm_state_is_absent(m, &w->state, PM_TABLE_JOINT, i))
+            continue;
+        const int n = pm_joint_constraints_of_any(&w->frame, i, c);
         for (int k = 0; !status && k < n; k++)
-            status = kind != PM_JOINT_BELT ? check_gears(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k])
-                                           : check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k]);
+            status = belt ? check_strand(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k])
+                          : check_gears(&w->frame, &w->result, PM_TABLE_JOINT, i, &c[k]);
     }
     for (int i = 0; !status && i < m->rows[PM_TABLE_CONTACT]; i++) {
         if (!pm_contact_measures_itself(m, i)) continue;

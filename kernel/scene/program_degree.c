@@ -2,6 +2,7 @@
  * its degree in the time instead of a number.  Speeds are linear, places and angles quadratic, and so are energies. */
 #include "scene/program_degree.h"
 
+#include "elements/joint_friction.h"
 #include "elements/measure.h"
 #include "expression/operation.h"
 #include "state/frame.h"
@@ -24,6 +25,15 @@ static int line_is_steady(const pm_frame *frame, const pm_constant_motion *x, in
            pm_constant_motion_point(frame, x, PM_CIRCLE_ROW(frame->model, c[PM_CONTACT_A])[PM_CIRCLE_POINT]);
 }
 
+/* The Jacobian of the slip stays as it is. */
+static int slip_is_steady(const pm_frame *frame, const pm_constant_motion *x, int joint)
+{
+    pm_constraint c;
+    if (pm_joint_friction_find(frame, joint, &c) == PM_NONE) return 0;
+    const pm_constraint_ops *ops = pm_constraint_kind(c.kind);
+    return ops->steady && ops->steady(frame, &c, x);
+}
+
 /* What a measure is of lets it be the polynomial that its kind is. */
 static int is_steady(const pm_frame *frame, const pm_constant_motion *x, const int32_t *e)
 {
@@ -37,6 +47,7 @@ static int is_steady(const pm_frame *frame, const pm_constant_motion *x, const i
         return !observer_rotates(frame, x, e) && pm_constant_motion_point(frame, x, e[PM_MEASURE_A]);
     case PM_MEASURE_CONTACT_GAP:
     case PM_MEASURE_CONTACT_SLIP: return line_is_steady(frame, x, e[PM_MEASURE_A]);
+    case PM_MEASURE_JOINT_SLIP: return slip_is_steady(frame, x, e[PM_MEASURE_A]);
     default: return 1;
     }
 }

@@ -156,7 +156,8 @@ static int of_joint(const int32_t *e, pm_reference *out)
     const pm_joint_ops *ops = pm_joint_kind(e[PM_JOINT_KIND]);
     int n = partners(ops->a, ops->b, out);
     if (ops->number) out[n++] = (pm_reference){.column = PM_JOINT_VALUE, .of = PM_TABLE_VALUE};
-    if (ops->flanks) out[n++] = (pm_reference){.column = PM_JOINT_VALUE_2, .of = PM_TABLE_VALUE};
+    if (ops->flanks || ops->strands)
+        out[n++] = (pm_reference){.column = PM_JOINT_VALUE_2, .of = PM_TABLE_VALUE};
     for (int k = 0; k < ops->programs; k++)
         out[n++] = (pm_reference){.column = PM_JOINT_PROGRAM_X + k, .of = PM_TABLE_PROGRAM};
     return n;

@@ -85,6 +85,7 @@ static double (*const greatest[PM_MEASURE_KINDS])(const pm_workspace *w) = {
     [PM_MEASURE_EVENT_TIME] = whole_time,
     [PM_MEASURE_VELOCITY] = greatest_speed,
     [PM_MEASURE_CONTACT_SLIP] = greatest_speed,
+    [PM_MEASURE_JOINT_SLIP] = greatest_speed,
     [PM_MEASURE_ACCELERATION] = acceleration,
     [PM_MEASURE_ALPHA] = alpha,
     [PM_MEASURE_KINETIC] = most_energy,

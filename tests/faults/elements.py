@@ -174,7 +174,7 @@ FAULTS = [
     Fault(
         "the impulse of a joint has no friction",
         "elements/joint_friction.c",
-        "return w->impulses.friction[k];",
+        "return k == PM_NONE ? 0 : w->impulses.friction[k];",
         "return 0;",
     ),
     Fault(
@@ -730,5 +730,71 @@ FAULTS = [
         "elements/turning_plane.c",
         "square * own[p / 3] * other[p % 3] / inertia",
         "0 * square * own[p / 3] * other[p % 3] / inertia",
+    ),
+    Fault(
+        "belt: the line of centres may turn as it likes",
+        "elements/constraint_belt.c",
+        "(c->radius_b - c->radius_a) * direction;",
+        "0 * direction;",
+    ),
+    Fault(
+        "belt: what the centres do passes nothing",
+        "elements/constraint_belt.c",
+        "pm_constraint_along(c->j, &x.marks, x.t, -x.lever);",
+        "pm_constraint_along(c->j, &x.marks, x.t, 0);",
+    ),
+    Fault(
+        "belt: no term of both velocities in gamma",
+        "elements/constraint_belt.c",
+        "2 * pm_dot(x.marks.u, x.n)",
+        "0 * pm_dot(x.marks.u, x.n)",
+    ),
+    Fault(
+        "belt: its force across the line of centres is the other way",
+        "elements/constraint_belt.c",
+        "x->direction[k] = -y.lever * y.t[k];",
+        "x->direction[k] = y.lever * y.t[k];",
+    ),
+    Fault(
+        "belt: a crossed one is open",
+        "elements/joint.c",
+        "e[PM_JOINT_B], 1, number(frame, e)); c->kind",
+        "e[PM_JOINT_B], 1, 1); c->kind",
+    ),
+    Fault(
+        "belt: one that slips holds, too",
+        "elements/joint.c",
+        "if (pm_joint_of(frame->model, joint)->by_friction ||",
+        "if (",
+    ),
+    Fault(
+        "belt: the other strand is drawn",
+        "elements/measure_joint.c",
+        "(strand == 0 ? 0.5 : -0.5)",
+        "(strand == 0 ? -0.5 : 0.5)",
+    ),
+    Fault(
+        "belt: its strands carry what it drives with, each",
+        "elements/measure_joint.c",
+        "(strand == 0 ? 0.5 : -0.5)",
+        "(strand == 0 ? 1 : -1)",
+    ),
+    Fault(
+        "belt: nothing is slipped by",
+        "elements/measure_joint.c",
+        "state.friction[k] == PM_STICK ? 0",
+        "state.friction[k] != PM_OPEN ? 0",
+    ),
+    Fault(
+        "measure slope: slip of a joint as if it held",
+        "elements/measure_slope.c",
+        "add_rate(x, &c, weight[0], to);",
+        "",
+    ),
+    Fault(
+        "force: what draws two points together stays wherever they go",
+        "elements/force.c",
+        "constant(frame, e[PM_FORCE_PROGRAM_X]) && pm_constant_motion_together(frame, &c, x);",
+        "constant(frame, e[PM_FORCE_PROGRAM_X]) + 0 * pm_constant_motion_together(frame, &c, x);",
     ),
 ]

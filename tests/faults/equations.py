@@ -393,4 +393,16 @@ FAULTS = [
         "const int same = after == before || (isnan(after) && isnan(before));",
         "const int same = isnan(after) && isnan(before);",
     ),
+    Fault(
+        "start: a belt runs round circles that reach over each other",
+        "equations/start_positions.c",
+        "status = belt ? check_strand",
+        "status = belt ? PM_OK : kind < 0 ? check_strand",
+    ),
+    Fault(
+        "case: the pressure angle of teeth has no bound",
+        "equations/case.c",
+        "if (ops->flanks && w->numbers.value[e[PM_JOINT_VALUE_2]] > PM_PRESSURE_MOST)",
+        "if (0)",
+    ),
 ]

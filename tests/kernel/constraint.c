@@ -281,6 +281,43 @@ static void circle_rows(int ground_side, double side, double ratio)
     scene_free(x.s);
 }
 
+/* What a belt drives with is half the difference of what its strands do: the same force, and the same couple on each body. */
+static void check_belt(pm_workspace *w, const pm_constraint *belt, const pm_constraint strand[2])
+{
+    pm_line_of_action whole, of[2];
+    pm_constraint_kind(belt->kind)->act(&w->frame, belt, &whole);
+    for (int k = 0; k < 2; k++) pm_constraint_kind(strand[k].kind)->act(&w->frame, &strand[k], &of[k]);
+    for (int body = 0; body < 2; body++) {
+        double force[2] = {0}, moment = 0; /* about where the whole acts */
+        for (int k = 0; k < 2; k++) {
+            const double half = k == 0 ? 0.5 : -0.5;
+            const double arm[2] = {of[k].at[0] - whole.at[0], of[k].at[1] - whole.at[1]};
+            for (int i = 0; i < 2; i++) force[i] += half * of[k].direction[i];
+            moment += half * pm_cross(arm, of[k].direction);
+        }
+        for (int i = 0; i < 2; i++) NEAR(force[i], whole.direction[i], 1e-14);
+        NEAR(body == 0 ? moment : -moment, whole.couple[body], 1e-14);
+    }
+}
+
+/* Two circles of a belt, which may be alike. */
+static void belt_rows(int ground_side, double sense, double radius_a, double radius_b)
+{
+    pair x = make_pair(ground_side);
+    const int a = scene_circle(x.s, x.point[0], radius_a), b = scene_circle(x.s, x.point[1], radius_b);
+    scene_belt(x.s, PM_JOINT_BELT_GRIPS, a, b, sense, 30);
+    scene_joint(x.s, PM_JOINT_BELT, a, b, sense);
+    check_scene(x.s, 1);
+    if (x.s->w) {
+        pm_constraint belt[PM_JOINT_CONSTRAINTS], strand[PM_JOINT_CONSTRAINTS];
+        look(x.s->w, NULL, 0);
+        EQUAL(pm_joint_constraints(&x.s->w->frame, &x.s->w->state, 0, belt), 1);
+        EQUAL(pm_joint_constraints(&x.s->w->frame, &x.s->w->state, 1, strand), 2);
+        check_belt(x.s->w, belt, strand);
+    }
+    scene_free(x.s);
+}
+
 /* A cord over a rim that is on the ground, or on one of the bodies while an end is on the ground. */
 static void cord_rows(int rim_on)
 {
@@ -408,6 +445,9 @@ int main(void)
         periodic_row(ground_side);
         pair_rows(ground_side, 0.3);
         pair_rows(ground_side, 0.65);
+        belt_rows(ground_side, 1, 0.31, 0.17);
+        belt_rows(ground_side, 1, 0.2, 0.2);
+        belt_rows(ground_side, -1, 0.31, 0.17);
     }
     for (int rim_on = 0; rim_on < 3; rim_on++) cord_rows(rim_on);
     rolls_on_a_line();

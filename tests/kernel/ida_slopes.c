@@ -15,7 +15,7 @@ enum { MOST = 400, BODIES = 5, ROUNDS = 40 };
 
 typedef struct marks {
     int body[BODIES + 1], point[2 * BODIES], ground, contact, floor;
-    int spring, torsion, damper, rotary, near, apart;
+    int spring, torsion, damper, rotary, near, apart, slips[2];
     int turns; /* the plane does */
 } marks;
 
@@ -54,7 +54,16 @@ static void bead(scene *s, marks *x, int rubs)
                              0, PM_CAPTURE_POINT);
 }
 
-/* Two rods in a chain whose first pin rubs by its load, a body on a link and on a cord's drum, a disk that rolls on a floor and a
+/* It slips between bodies that move as they do. */
+static int belt(scene *s, const marks *x, int crossed)
+{
+    const int one = scene_circle(s, x->point[4], 0.11), other = scene_circle(s, x->point[0], 0.06);
+    const int joint = scene_belt(s, PM_JOINT_BELT_SLIPS, one, other, crossed ? -1 : 1, 20);
+    scene_force(s, PM_FORCE_FRICTION, joint, joint, 1.3, 0);
+    return joint;
+}
+
+/* Two rods in a chain whose first pin rubs by its load, a body on a link and on a cord's drum, a belt between two of them, a disk that rolls on a floor and a
  * block that slides on it with friction. */
 static marks bodies(scene *s, int rubs)
 {
@@ -86,6 +95,8 @@ static marks bodies(scene *s, int rubs)
     x.near = scene_contact(s, PM_CONTACT_CIRCLE, rim, scene_circle(s, x.point[5], 0.2), 1, 0,
                            PM_FRICTION_SMOOTH, 0);
     scene_force(s, PM_FORCE_FRICTION, hinge, hinge, 0.4, 0.05);
+    x.slips[0] = hinge;
+    x.slips[1] = belt(s, &x, rubs);
     bead(s, &x, rubs);
     const double omega[] = {1.3, any(), any(), any()};
     for (int i = 0; i < 4; i++) scene_start_omega(s, x.body[i], omega[i]);
@@ -106,7 +117,7 @@ static void plain_forces(scene *s, marks *x)
 }
 
 /* A measure that forces may read: number n of so many. */
-enum { READ = 37 };
+enum { READ = 38 };
 static int measure(scene *s, const marks *x, int n)
 {
     const int body = x->body[one_of(BODIES)], other = x->body[one_of(BODIES)], point = x->point[one_of(10)];
@@ -154,6 +165,7 @@ static int measure(scene *s, const marks *x, int n)
     case 33: row = scene_measure(s, PM_MEASURE_CONTACT_GAP, x->apart); break;
     case 34: row = scene_measure(s, x->turns ? PM_MEASURE_SPIN_OMEGA : PM_MEASURE_TIME, PM_NONE); break;
     case 35: row = scene_measure(s, x->turns ? PM_MEASURE_SPIN_INERTIA : PM_MEASURE_TIME, PM_NONE); break;
+    case 36: row = scene_measure(s, PM_MEASURE_JOINT_SLIP, x->slips[one_of(2)]); break;
     default: row = scene_measure(s, PM_MEASURE_TOTAL, PM_NONE);
     }
     if (along != PM_NONE) scene_cell(s, PM_TABLE_MEASURE, row, PM_MEASURE_VALUE, along);

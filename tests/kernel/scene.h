@@ -153,6 +153,12 @@ static inline int scene_teeth(scene *s, int a, int b, double side, double pressu
     return SCENE_ROW(s, PM_TABLE_JOINT, side == 0 ? PM_JOINT_RACK : PM_JOINT_TEETH, a, b,
                      side == 0 ? PM_NONE : scene_value(s, side), PM_NONE, PM_NONE, scene_value(s, pressure));
 }
+/* A belt with a tension at rest, open (1) or crossed (-1): PM_JOINT_BELT_GRIPS or PM_JOINT_BELT_SLIPS. */
+static inline int scene_belt(scene *s, int kind, int a, int b, double sense, double tension)
+{
+    return SCENE_ROW(s, PM_TABLE_JOINT, kind, a, b, scene_value(s, sense), PM_NONE, PM_NONE,
+                     scene_value(s, tension));
+}
 /* friction: PM_FRICTION_...; static and kinetic coefficient mu */
 static inline int scene_contact(scene *s, int kind, int a, int b, double side, double e, int friction,
                                 double mu)
@@ -232,6 +238,11 @@ static inline int scene_applied(scene *s, int point, int axes, int program_x, in
 static inline int scene_couple(scene *s, int a, int b, int program)
 {
     return SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_COUPLE, a, b, PM_NONE, PM_NONE, program, PM_NONE, 0);
+}
+/* Draws points a and b together. */
+static inline int scene_line_force(scene *s, int a, int b, int program)
+{
+    return SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_LINE, a, b, PM_NONE, PM_NONE, program, PM_NONE, 0);
 }
 
 /* ---- measures, start ---- */

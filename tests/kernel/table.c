@@ -21,6 +21,8 @@ static scene *everything(void)
     scene_joint(s, PM_JOINT_WELD, pa, pb, 0);
     scene_joint(s, PM_JOINT_ROLLING_LINE, ca, line, 0);
     scene_joint(s, PM_JOINT_ROLLING_CIRCLE, ca, cb, 1);
+    scene_teeth(s, ca, cb, 1, 0.3);
+    scene_belt(s, PM_JOINT_BELT_GRIPS, ca, cb, 1, 20);
     scene_contact(s, PM_CONTACT_LINE, ca, line, 0, 0, PM_FRICTION_COULOMB, 0.2);
     scene_contact(s, PM_CONTACT_CIRCLE, ca, cb, 1, 0, PM_FRICTION_SMOOTH, 0);
     scene_contact(s, PM_CONTACT_PATTERN, ca, row, 0, 0, PM_FRICTION_ROUGH, 0);
@@ -250,6 +252,7 @@ static void numbers(void)
         out_of_bound(PM_TABLE_PATTERN, 0, PM_PATTERN_STEP_X, x);
         out_of_bound(PM_TABLE_PATTERN, 0, PM_PATTERN_COUNT, x);
         out_of_bound(PM_TABLE_JOINT, 3, PM_JOINT_VALUE, x);
+        for (int k = 7; k < 9; k++) out_of_bound(PM_TABLE_JOINT, k, PM_JOINT_VALUE_2, x);
         out_of_bound(PM_TABLE_CONTACT, 1, PM_CONTACT_RESTITUTION, x);
         out_of_bound(PM_TABLE_CONTACT, 0, PM_CONTACT_STATIC, x);
         out_of_bound(PM_TABLE_CONTACT, 0, PM_CONTACT_KINETIC, x);
@@ -263,6 +266,8 @@ static void numbers(void)
     out_of_bound(PM_TABLE_CIRCLE, 0, PM_CIRCLE_RADIUS, -0.1);
     out_of_bound(PM_TABLE_JOINT, 3, PM_JOINT_VALUE, 0);
     out_of_bound(PM_TABLE_JOINT, 6, PM_JOINT_VALUE, 0.5); /* no side */
+    out_of_bound(PM_TABLE_JOINT, 7, PM_JOINT_VALUE_2, 1.05);
+    out_of_bound(PM_TABLE_JOINT, 8, PM_JOINT_VALUE_2, -1);
     out_of_bound(PM_TABLE_CONTACT, 1, PM_CONTACT_SIDE, 2);
     out_of_bound(PM_TABLE_CONTACT, 0, PM_CONTACT_RESTITUTION, -0.1);
     out_of_bound(PM_TABLE_CONTACT, 0, PM_CONTACT_RESTITUTION, 1.1);

@@ -248,7 +248,7 @@ static void stands_still(void)
 /* What does not stay the same is left to other routes. */
 static void applies_where_it_should(void)
 {
-    for (int what = 0; what < 6; what++) {
+    for (int what = 0; what < 7; what++) {
         scene *s = scene_create();
         const int b = scene_body(s, 1, 0.1, 0, 1, 0), g = scene_point(s, b, 0, 0),
                   end = scene_point(s, b, 0.4, 0);
@@ -262,6 +262,7 @@ static void applies_where_it_should(void)
         case 2: scene_applied(s, end, PM_GROUND, one, zero); break;
         case 3: scene_applied(s, g, b, one, zero); break;
         case 4: scene_couple(s, b, PM_GROUND, time); break;
+        case 6: scene_line_force(s, g, scene_point(s, PM_GROUND, 1, 1), one); break;
         default: scene_force(s, PM_FORCE_DAMPER, g, scene_point(s, PM_GROUND, 0, 0), 1, 0); break;
         }
         settle(s, PM_ROUTE_UNIFORM, 1e-11);

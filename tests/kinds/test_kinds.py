@@ -36,7 +36,8 @@ EXAMPLES = {
     "weld": 'e = { weld = ["a", "b"] }',
     "rolling": 'e = { rolling = ["a.rim", "ground.floor"] }',
     "gears": 'e = { gears = ["a.rim", "b.rim"] }',
-    "belt": 'e = { belt = ["a.rim", "b.rim"] }\n[bodies.b]\nat = ["0.7 m", 0]',
+    "belt": 'e = { belt = ["a.rim", "b.rim"], pretension = "9 N", friction = 0.3 }\n'
+    + '[joints]\nA = { pin = ["a", "ground"] }\nB = { pin = ["b", "ground"] }\n[bodies.b]\nat = ["0.7 m", 0]',
     "cord": 'e = { cord = ["ground.S", "a.rim cw", "P"], friction = 0.3, restitution = 0.5 }',
     "motor": 'e = { motor = ["a", "b"], value = "2 rad/s" }',
     "ratio": 'e = { ratio = { "a.turned" = 1, b.turned = -2 } }',
@@ -71,6 +72,7 @@ VARIANTS = {
     ),
     "gears with backlash": ("gears", 'e = { gears = ["a.rim", "b.rim"], backlash = "1 mm" }'),
     "rack": ("gears", 'e = { gears = ["a.rim", "ground.floor"], pressure_angle = "20 deg" }'),
+    "belt that grips": ("belt", 'e = { belt = ["a.rim", "b.rim"] }\n[bodies.b]\nat = ["0.7 m", 0]'),
     "damper of points": ("damper", 'e = { damper = ["a.E", "ground.S"], rate = "3 N*s/m" }'),
 }
 GROUP = {word: group for group, kinds in KINDS.items() if group != "contacts" for word in kinds}

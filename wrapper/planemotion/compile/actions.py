@@ -72,11 +72,22 @@ class Actions:
 
     def _rows(self, kind: int, event: int, name: str, where: str) -> None:
         table, rows = self._element(name, where)
+        if kind == layout.PM_ACTION_REMOVE and table == layout.PM_TABLE_JOINT:
+            self._check_axle(rows[0], name, where)
         for one in rows:
             self._row(where, kind, event, table, one)
+        if name in self.scope.couplings:
+            for one in self.scope.couplings[name].rows.forces:
+                self._row(where, kind, event, layout.PM_TABLE_FORCE, one)
+
+    def _check_axle(self, joint: int, name: str, where: str) -> None:
+        for belt, found in self.scope.couplings.items():
+            if joint in found.rows.rests_on:
+                reason = f'"{belt}" needs it: its wheels must keep their distance, for it has a pretension'
+                raise SceneError(reason, path=where, value=name)
 
     def _element(self, name: str, where: str) -> tuple[int, tuple[int, ...]]:
-        """Table and rows of an element."""
+        """Table of an element, and its rows there."""
         scope = self.scope
         if name in scope.joints:
             return layout.PM_TABLE_JOINT, (scope.joints[name].index,)

@@ -38,6 +38,8 @@ class _Bound:
         return (value > self.least if self.above else value >= self.least) and value <= self.most
 
 
+# Of these the second number is a tension, of the others an angle.
+_BELTS = (layout.PM_JOINT_BELT_GRIPS, layout.PM_JOINT_BELT_SLIPS)
 _BOUNDS = (
     _Bound(layout.PM_TABLE_BODY, layout.PM_BODY_MASS, 0),
     _Bound(layout.PM_TABLE_BODY, layout.PM_BODY_INERTIA, 0, only=(layout.PM_BODY_ROTATES, 1)),
@@ -49,7 +51,16 @@ _BOUNDS = (
         above=True,
         only=(layout.PM_JOINT_KIND, layout.PM_JOINT_LINK),
     ),
-    _Bound(layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2, 0, math.pi / 3),
+    *(
+        _Bound(
+            layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2, 0, math.pi / 3, only=(layout.PM_JOINT_KIND, kind)
+        )
+        for kind in (layout.PM_JOINT_TEETH, layout.PM_JOINT_RACK)
+    ),
+    *(
+        _Bound(layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2, 0, only=(layout.PM_JOINT_KIND, kind))
+        for kind in _BELTS
+    ),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_RESTITUTION, 0, 1),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_TANGENTIAL, 0, 1),
     _Bound(layout.PM_TABLE_CONTACT, layout.PM_CONTACT_STATIC, 0),
@@ -163,6 +174,10 @@ _FORCES: dict[tuple[int, int], _Named] = {
 
 def named(table: int, row: Sequence[int], column: int) -> _Named:
     """The key below the row's own key path, and the SI unit; both may be empty."""
+    if (table, column) == (layout.PM_TABLE_JOINT, layout.PM_JOINT_VALUE_2) and row[
+        layout.PM_JOINT_KIND
+    ] in _BELTS:
+        return "pretension", "N"
     if table == layout.PM_TABLE_FORCE:
         return _FORCES.get((int(row[layout.PM_FORCE_KIND]), column), ("", ""))
     return _COLUMNS.get((table, column), ("", ""))

@@ -110,6 +110,11 @@ class CouplingInfo:
         return tuple(dict.fromkeys(span.index for span in self.spans if span.member != layout.PM_NONE))
 
     @property
+    def may_slip(self) -> bool:
+        """Whether it is a belt that slips where its friction is overcome."""
+        return self.rows.may_slip
+
+    @property
     def owners(self) -> tuple[tuple[str, str], ...]:
         return self.rows.owners
 

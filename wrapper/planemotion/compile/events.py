@@ -179,7 +179,7 @@ class Instants:
         if thing in self.measures.scope.joints:
             return self._joint_change(thing, change)
         if thing in self.measures.scope.couplings:
-            return self._flank_change(thing, change)
+            return self._coupling_change(thing, change)
         contacts = self.measures.scope.contacts
         name, bracket, index = (thing, "", "") if thing in contacts else thing.partition("[")
         if name not in contacts:
@@ -208,11 +208,13 @@ class Instants:
             raise SceneError(f'the joint "{thing}" has no friction: it neither sticks nor stops slipping')
         return _JOINT_TRIGGER[change], layout.PM_NONE, (joint.index,)
 
-    def _flank_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
-        """Triggers of both flanks of gears with backlash."""
+    def _coupling_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
+        """Triggers of rims that a cord may slip on, of a belt, or of both flanks of gears with backlash."""
         found = self.measures.scope.couplings[thing]
         if found.kind == "cord" and change in words.RIM_CHANGES:
             return self._rim_change(thing, change, found)
+        if found.kind == "belt" and change in words.RIM_CHANGES:
+            return self._belt_change(thing, change, found)
         if found.kind == "cord" or not found.indices or change not in words.CAPTURE_CHANGES:
             raise SceneError(f"{found.kind} do not {change[:-1] if change.endswith('s') else change}")
         return _CONTACT_TRIGGER[change], layout.PM_NONE, found.indices
@@ -224,6 +226,13 @@ class Instants:
                 f'the cord "{thing}" grips its rims: it neither slips nor sticks; give it friction'
             )
         return _CONTACT_TRIGGER[change], layout.PM_NONE, cord.rims
+
+    def _belt_change(self, thing: str, change: str, belt: CouplingInfo) -> tuple[int, int, tuple[int, ...]]:
+        if not belt.may_slip or belt.index is None:
+            raise SceneError(
+                f'the belt "{thing}" grips: it neither slips nor sticks; give it pretension and friction'
+            )
+        return _JOINT_TRIGGER[change], layout.PM_NONE, (belt.index,)
 
     def _cord_change(self, thing: str, change: str) -> tuple[int, int, tuple[int, ...]]:
         """Triggers of all strands of a cord."""

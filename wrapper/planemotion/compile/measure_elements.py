@@ -115,6 +115,8 @@ class ElementMeasures:
             )
         self.rows.ends(address, 1)
         self.rows.plain(address, ("on",) if source.on else ())
+        if source.of_rims and not coupling.may_slip:
+            raise SceneError(f'"{address}": {address.thing} grips; with pretension and friction it may slip')
         on = self.rows.on(address, coupling.bodies) if source.on else None
         kind = source.kinds[self._span(address, len(source.kinds))]
         return Reading(self.rows.leaf(kind, coupling.index, address, on=on), source.dimension)

@@ -220,12 +220,12 @@ class Drawing:
             ref = self.point_ref(written.strip().removeprefix("~"))
             if not ref.name:
                 raise SceneError("a point is wanted, such as ground.O")
-            exact_there = self._is_exact(ref) and not is_guess(written)
+            exact_there = self.is_exact(ref) and not is_guess(written)
             return Placed(point, self.position(ref), (exact_there, exact_there))
         except SceneError as error:
             raise error.at(path=where, value=written) from None
 
-    def _is_exact(self, ref: PointRef) -> bool:
+    def is_exact(self, ref: PointRef) -> bool:
         """Whether a point is where it is written, whatever the assembly does."""
         if ref.owner == GROUND:
             return True

@@ -60,6 +60,11 @@ class DrawnRows:
             self._points[key] = self.tables.add(layout.PM_TABLE_POINT, row, where)
         return self._points[key]
 
+    def place(self, point: int) -> tuple[int, Pair]:
+        """The body of a kernel point, and its place there from G."""
+        body, x, y = next(key for key, index in self._points.items() if index == point)
+        return body, (x, y)
+
     def line(self, owner: str, mark: LineMark, where: str) -> int:
         """A kernel line of that mark."""
         row = {

@@ -23,12 +23,17 @@ class CouplingRows:
 
     `index`: its row of the joint table; None where its strands are the contacts `indices`.  `owners`: of its
     partners; of strands, those of each.  `spans`: of a cord, the contact of each strand and its number there.
+    `forces`: rows of the force table that come and go with it; `rests_on`: joints without which it cannot be;
+    `may_slip`: its joint has friction that is overcome.
     """
 
     index: int | None
     indices: tuple[int, ...]
     owners: tuple[tuple[str, str], ...]
     spans: tuple[Span, ...] = ()
+    forces: tuple[int, ...] = ()
+    rests_on: frozenset[int] = frozenset()
+    may_slip: bool = False
 
 
 @dataclass(frozen=True)

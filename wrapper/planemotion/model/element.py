@@ -41,9 +41,9 @@ class Quantity:
     """What the word of a quantity reads: kinds of measures of the kernel, one for each strand of a belt.
 
     `strand`: what it reads of the contacts that a coupling is made of, where these are no `kinds`;
-    `rim`: what it reads of a strand of a cord over a rim that it may slip on; `of_rims`: it is read of these
-    alone; `vector`: it has parts; `part`: the one that is meant; `on`: its sign goes with the body that it
-    acts on.
+    `rim`: what it reads of a strand of a cord over a rim that it may slip on; `of_rims`: it is read alone of
+    what may slip on rims; `vector`: it has parts; `part`: the one that is meant; `on`: its sign goes with the
+    body that it acts on.
     """
 
     kinds: tuple[int, ...]

@@ -78,7 +78,7 @@ def explain(scene: WrittenScene) -> Told:
         _section(
             "couplings",
             (
-                (name, coupling.kind, coupling.between, _options(coupling))
+                (name, coupling.kind, coupling.between, _options(coupling), *_most(name, flats))
                 for name, coupling in data.couplings.items()
             ),
         ),
@@ -243,6 +243,19 @@ def _indented(lines: Iterable[str]) -> list[str]:
 def _options(element: Kind) -> str:
     """The options that were written."""
     return ", ".join(f"{key} = {_written(getattr(element, key))}" for key in element.written)
+
+
+def _most(coupling: str, flats: Sequence[FlatScene]) -> list[str]:
+    """What a belt that may slip drives with at most, in each run where it is another force."""
+    found = []
+    for flat in flats:
+        names = flat.names[layout.PM_TABLE_FORCE]
+        for name, row in zip(names, flat.rows(layout.PM_TABLE_FORCE), strict=True):
+            rubs = row[layout.PM_FORCE_KIND] == layout.PM_FORCE_FRICTION
+            most = float(call.values(flat)[row[layout.PM_FORCE_VALUE_1]]) if rubs else 0.0
+            if name == f"couplings.{coupling}.friction" and most > 0:
+                found.append(f"{most:.6g} N")
+    return [f"drives with {', '.join(dict.fromkeys(found))} at most"] if found else []
 
 
 def _laws(contact: Any) -> str:
