@@ -305,12 +305,15 @@ static void rocks(int route, int swapped)
               closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, contact)),
               up = scene_ask_measure(
                   s, scene_measure_with(s, PM_MEASURE_CONTACT_FORCE, contact, PM_PART_Y, PM_MEASURE_ON, b)),
+              opened = scene_ask_measure(
+                  s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_OPEN, contact))),
               on_first = scene_ask_measure(s, scene_part(s, PM_MEASURE_CONTACT_FORCE, contact, PM_PART_Y)),
               x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X)),
               y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[closed], 1);
+    EQUAL(s->out[opened], 0);
     CHECK(s->out[up] > 1);
     NEAR(s->out[on_first], swapped ? -s->out[up] : s->out[up], 1e-12);
     CHECK(s->out[angle] >
