@@ -309,6 +309,23 @@ static int is_beside(const pm_pair *x, const pm_pair_place *corner, const pm_cur
     return 1;
 }
 
+/* Whether a, which is behind b with its end, has not gone round an end of b: from there, on a way that grows from what the end
+ * is deep, it comes to the front of b, or all of it is behind. */
+static int comes_through(const pm_pair *x, int end, double depth)
+{
+    const pm_curve_taken none = {.n = 0};
+    const double from = end_of(x, end), range = range_of(x, x->a);
+    const double inwards = end == PM_PAIR_FROM ? range : -range;
+    double part = depth / fabs(place_of_a(x, from).rate * range);
+    for (; part <= 1; part *= PM_PAIR_FARTHER) {
+        const pm_pair_place at = {.a = place_of_a(x, from + part * inwards)};
+        pm_curve_near near;
+        if (!is_beside(x, &at, &none, &near)) return 0;
+        if (near.height >= 0) return 1;
+    }
+    return 1;
+}
+
 static void look_at_corner(pm_pair_search *f, int corner)
 {
     const pm_pair own = seen_from(f->x, corner);
@@ -321,6 +338,7 @@ static void look_at_corner(pm_pair_search *f, int corner)
     at.b = near.foot;
     at.height = near.height;
     if (!is_better(f, &own, taken, &at)) return;
+    if (at.height < 0 && pm_pair_is_second(corner) && !comes_through(&own, end, -at.height)) return;
     at = unswapped(&at, corner);
     keep(f, &at, corner);
 }

@@ -106,6 +106,12 @@ FAULTS = [
         "return PM_NONE;",
     ),
     Fault(
+        "pairs of curves: an end of the second that goes round the first is in it",
+        "elements/pair.c",
+        "if (!is_beside(x, &at, &none, &near)) return 0;",
+        "if (!is_beside(x, &at, &none, &near)) return 1;",
+    ),
+    Fault(
         "pairs of curves: a corner of the second pulls",
         "elements/contact_constraint.c",
         "return normal->body[0] == frame->numbers->of_contact[contact].body[0] ? 1 : -1;",

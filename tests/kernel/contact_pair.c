@@ -371,6 +371,28 @@ static void from_behind(void)
     scene_free(s);
 }
 
+/* The end of an open curve high above the edge of a crate is not in it, though its foot is within: it goes round. */
+static void ends_above(void)
+{
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 0.1, 0, 0.3, 0), loop = ring(s, PM_GROUND, 0, 2, 2, 0);
+    s->cell[PM_TABLE_CURVE][loop * PM_CURVE_COLUMNS + PM_CURVE_CLOSED] = PM_CURVE_WITH_ENDS;
+    s->cell[PM_TABLE_CURVE][loop * PM_CURVE_COLUMNS + PM_CURVE_SIDE] = 1;
+    s->cell[PM_TABLE_CURVE][loop * PM_CURVE_COLUMNS + PM_CURVE_FROM] = scene_value(s, -1.8);
+    s->cell[PM_TABLE_CURVE][loop * PM_CURVE_COLUMNS + PM_CURVE_TO] = scene_value(s, 1.65);
+    touch(s, bottom(s, b, 0.3, -0.1), loop, 0, PM_FRICTION_SMOOTH);
+    scene_until_time(s, 1);
+    CHECK(scene_begin(s) == PM_OK);
+    for (int n = 0; n < 40; n++) {
+        int member;
+        s->w->state.q[0] = check_random(-0.25, 0.15);
+        s->w->state.q[1] = check_random(-1.6, 0.5);
+        pm_frame_look_state(&s->w->frame, &s->w->state);
+        CHECK(pm_contact_gap(&s->w->frame, &s->w->state, 0, &member) > 0);
+    }
+    scene_free(s);
+}
+
 int main(void)
 {
     gaps(0, 0);
@@ -393,5 +415,6 @@ int main(void)
     beside_a_line(1);
     must_be_straight();
     from_behind();
+    ends_above();
     return check_failures();
 }

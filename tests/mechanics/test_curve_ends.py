@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -148,6 +149,42 @@ def test_a_chair_rocks_over_the_ends_of_its_runners(seed: int, floor: str, route
     assert got["up"] == pytest.approx(-got["down"], abs=1e-9)
     assert got["up"] > 0
     assert got["normal"] > 0
+
+
+@pytest.mark.parametrize("swap", ORDERS)
+@pytest.mark.parametrize("last", [60, 95, 170])
+def test_an_end_high_above_a_crate_is_not_in_it(last: int, swap: bool) -> None:
+    """A crate slides in a loop as it does in its lower part alone, though the loop ends above it."""
+
+    def slides(to: int, swap: bool = False) -> Any:
+        scene = f"""
+        until = "t = 1 s"
+        ground.curves.loop = {{ arc = "2 m", from = "-100 deg", to = "{to} deg", at = [0, "2 m"] }}
+        bodies.p = {{ plate = ["0.6 m", "0.2 m"], mass = "1 kg", at = [0, "0.3 m"] }}
+        contacts.c = {{ touch = ["p.bottom", "ground.loop"], friction = 0.2, restitution = 0.2 }}
+        start.p.velocity.x = "1 m/s"
+        ask.x = {{ of = "p.x", unit = "m" }}
+        ask.angle = {{ of = "p.angle", unit = "rad" }}
+        """
+        return answers(swapped(scene, swap))
+
+    assert slides(last, swap) == pytest.approx(slides(0), abs=1e-9)
+
+
+@pytest.mark.parametrize("swap", ORDERS)
+def test_a_runner_without_a_bend_lands_flat(swap: bool) -> None:
+    scene = """
+    until = "t = 1 s"
+    ground.lines.floor = { from = ["-5 m", 0], to = ["5 m", 0] }
+    bodies.p = { mass = "1 kg", inertia = "0.1 kg*m^2", at = [0, "1 m"], curves.runner = { x = "s", y = "0*s", from = "-0.3 m", to = "0.3 m", side = "right" } }
+    contacts.c = { touch = ["p.runner", "ground.floor"] }
+    events.hit = "c strikes"
+    ask.t = { of = "t", at = "hit", unit = "s" }
+    ask.y = { of = "p.y", unit = "m" }
+    """
+    got = answers(swapped(scene, swap))
+    assert got["t"] == pytest.approx(math.sqrt(2 / G), rel=1e-9)
+    assert got["y"] == pytest.approx(0, abs=1e-9)
 
 
 # ---- whichever is first ----
