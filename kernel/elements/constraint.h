@@ -126,6 +126,8 @@ void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_
 /* Both. */
 void pm_contact_constraint_both(const pm_frame *frame, int contact, int slot, int member,
                                 pm_constraint *normal, pm_constraint *tangent);
+/* 1 where the first body of a member's constraints is that of the contact, -1 where it is the second, whose corner touches. */
+double pm_contact_constraint_side(const pm_frame *frame, int contact, const pm_constraint *normal);
 
 /* How many bodies it holds, the ground among them. */
 static inline int pm_constraint_bodies(const pm_constraint *c) { return 2 + c->over; }

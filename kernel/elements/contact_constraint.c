@@ -141,3 +141,8 @@ void pm_contact_constraint_both(const pm_frame *frame, int contact, int slot, in
     pm_contact_constraint_normal(frame, contact, slot, member, normal);
     pm_contact_constraint_tangent(frame, contact, normal, tangent);
 }
+
+double pm_contact_constraint_side(const pm_frame *frame, int contact, const pm_constraint *normal)
+{
+    return normal->body[0] == frame->numbers->of_contact[contact].body[0] ? 1 : -1;
+}

@@ -280,7 +280,7 @@ int pm_contact_curve_is_at_knot(const pm_frame *frame, int slot, int member)
     const int contact = pm_contact_of_slot(frame->model, slot);
     if (!pm_contact_curve_on(frame, slot, member, &normal)) return 0;
     if (pm_contact_pair_is(frame->model, contact) &&
-        !pm_contact_pair_is_at_second(frame, &normal, contact, member))
+        !pm_contact_pair_is_at_foot(frame, &normal, contact, member))
         return 0;
     return pm_curve_has_pieces(frame->model, normal.curve) &&
            !pm_curve_piece_is_last(frame, normal.curve, pm_constraint_curve_foot(frame, &normal));

@@ -18,8 +18,8 @@ int pm_contact_pair_corner(int member);
 /* How far the places of a closed contact are from where its member ends, m; then the member that follows, or PM_NONE. */
 double pm_contact_pair_room(const pm_frame *frame, const pm_constraint *normal, int contact, int member);
 int pm_contact_pair_next(const pm_frame *frame, const pm_constraint *normal, int contact, int member);
-/* The second curve ends sooner, or its piece does. */
-int pm_contact_pair_is_at_second(const pm_frame *frame, const pm_constraint *normal, int contact, int member);
+/* The curve of the foot ends sooner, or its piece does. */
+int pm_contact_pair_is_at_foot(const pm_frame *frame, const pm_constraint *normal, int contact, int member);
 /* The member as its places go on. */
 int pm_contact_pair_follow(const pm_frame *frame, int contact, int member, const pm_memory *memory);
 

@@ -123,6 +123,7 @@ static pm_curve_place search(const pm_frame *frame, int curve, const double x[2]
 {
     const double all =
         pm_curve_bound(frame, curve, PM_CURVE_TO) - pm_curve_bound(frame, curve, PM_CURVE_FROM);
+    const double most = pm_curve_is_endless(frame->model, curve) ? INFINITY : PM_CURVE_PART * all;
     double turned = 0;
     for (int tries = 0, last = 0; tries < PM_CURVE_STEPS; tries++) {
         const pm_curve_place at = pm_curve_along(frame, curve, s, isnan(of) ? s : of);
@@ -132,8 +133,7 @@ static pm_curve_place search(const pm_frame *frame, int curve, const double x[2]
         if (last || fabs(way) <= nothing) return at;
         if (!(turned <= PM_CURVE_WINDOW)) break;
         turned += pm_curve_turn_along(&at, way);
-        const double whole = pm_curve_step(&at, way),
-                     step = fmin(fmax(whole, -PM_CURVE_PART * all), PM_CURVE_PART * all);
+        const double whole = pm_curve_step(&at, way), step = fmin(fmax(whole, -most), most);
         last = step == whole && pm_curve_turn_along(&at, way) <= PM_CURVE_LAST;
         s += step;
     }

@@ -188,8 +188,9 @@ void pm_measured_contact_force(const pm_measure_args *x, double out[2])
         }
         pm_constraint normal, tangent;
         pm_contact_constraint_both(&x->w->frame, x->a, i, member_of(x, i), &normal, &tangent);
-        add_constraint(x, &normal, side * slot_normal(x->w, i), out);
-        add_constraint(x, &tangent, side * slot_friction(x->w, i), out);
+        const double sign = side * pm_contact_constraint_side(&x->w->frame, x->a, &normal);
+        add_constraint(x, &normal, sign * slot_normal(x->w, i), out);
+        add_constraint(x, &tangent, sign * slot_friction(x->w, i), out);
     }
 }
 

@@ -35,6 +35,19 @@ static void turn(const double axis[2], const double x[2], double out[2])
     out[1] = axis[1] * x[0] + axis[0] * x[1];
 }
 
+/* The same two as the body of a sees them. */
+static pm_pair swapped(const pm_pair *x)
+{
+    pm_pair y = {
+        .frame = x->frame, .a = x->b, .b = x->a, .axis = {x->axis[0], -x->axis[1]}, .angle = -x->angle};
+    const double back[2] = {-x->at[0], -x->at[1]};
+    turn(y.axis, back, y.at);
+    return y;
+}
+
+/* So that the curve of a corner comes first. */
+static pm_pair seen_from(const pm_pair *x, int corner) { return pm_pair_is_second(corner) ? swapped(x) : *x; }
+
 static pm_curve_place place_of_a(const pm_pair *x, double s)
 {
     const pm_curve_place own = pm_curve_at(x->frame, x->a, s);
@@ -175,13 +188,21 @@ static int lies_in(const pm_pair *x, int curve, int i, double s)
     return s >= place_in(x, curve, i, 0) - slack && s <= place_in(x, curve, i, 1) + slack;
 }
 
-/* What is closed has come over a corner to there, or from there. */
-static int is_left_to_closed(const pm_pair_search *f, double s)
+static int is_near_end(const pm_pair *x, int curve, int corner, double s)
 {
-    const double from = end_of(f->x, PM_PAIR_FROM), to = end_of(f->x, PM_PAIR_TO),
-                 near = PM_CURVE_PART * (to - from);
-    return (f->closed->passed[PM_PAIR_FROM] && s - from < near) ||
-           (f->closed->passed[PM_PAIR_TO] && to - s < near);
+    const double from = pm_curve_bound(x->frame, curve, PM_CURVE_FROM),
+                 to = pm_curve_bound(x->frame, curve, PM_CURVE_TO);
+    return (pm_pair_end(corner) == PM_PAIR_FROM ? s - from : to - s) < PM_CURVE_PART * (to - from);
+}
+
+/* What is closed has come over a corner to there, or from there. */
+static int is_left_to_closed(const pm_pair_search *f, const pm_pair_place *at)
+{
+    for (int i = PM_PAIR_FROM; i <= PM_PAIR_SECOND_TO; i++)
+        if (f->closed->passed[i] && is_near_end(f->x, pm_pair_is_second(i) ? f->x->b : f->x->a, i,
+                                                pm_pair_is_second(i) ? at->b.s : at->a.s))
+            return 1;
+    return 0;
 }
 
 /* Beyond the ends of what is open nothing is. */
@@ -195,7 +216,7 @@ static int lies_on(const pm_pair *x, int curve, double s)
 /* A place of a that is behind b is in it where no other place of b is nearer.  All that is behind a line without ends is in it. */
 static int is_in(const pm_pair *x, const pm_pair_place *at)
 {
-    if (is_endless(x, x->a)) return 1;
+    if (is_endless(x, x->a) || is_endless(x, x->b)) return 1;
     const pm_curve_taken none = {.n = 0};
     const double rounding = PM_CURVE_FOUND * PM_EPSILON * (pm_length(at->a.p) + pm_length(at->b.p));
     pm_curve_near near;
@@ -211,14 +232,23 @@ static int is_nearer(const pm_pair_search *f, double height)
     return (height < 0) != (best < 0) ? height < 0 : fabs(height) < fabs(best);
 }
 
+/* x: the pair, or the same swapped; taken: the feet on its b. */
+static int is_better(const pm_pair_search *f, const pm_pair *x, const pm_curve_taken *taken,
+                     const pm_pair_place *at)
+{
+    return is_nearer(f, at->height) && !pm_curve_feet_is_taken(x->frame, x->b, taken, at->b.s) &&
+           (at->height >= 0 || is_in(x, at));
+}
+
 static void keep(pm_pair_search *f, const pm_pair_place *at, int corner)
 {
-    const pm_pair *x = f->x;
-    if (!is_nearer(f, at->height) || pm_curve_feet_is_taken(x->frame, x->b, &f->closed->feet, at->b.s))
-        return;
-    if (at->height < 0 && !is_in(x, at)) return;
     *f->near = (pm_pair_near){.at = *at, .corner = corner};
     f->found = 1;
+}
+
+static void keep_within(pm_pair_search *f, const pm_pair_place *at)
+{
+    if (is_better(f, f->x, &f->closed->feet, at)) keep(f, at, PM_PAIR_WITHIN);
 }
 
 /* Whether the places where both parts meet are known: there are some, or none. */
@@ -227,8 +257,8 @@ static int meet(pm_pair_search *f, int a, int b, int last)
     const pm_pair *x = f->x;
     const pm_pair_place at = pm_pair_meet(x, place_in(x, x->a, a, 0.5), place_in(x, x->b, b, 0.5), NAN);
     if (!(at.closer < 0) || !lies_in(x, x->a, a, at.a.s) || !lies_in(x, x->b, b, at.b.s)) return last;
-    if (lies_on(x, x->a, at.a.s) && lies_on(x, x->b, at.b.s) && !is_left_to_closed(f, at.a.s))
-        keep(f, &at, PM_PAIR_WITHIN);
+    if (lies_on(x, x->a, at.a.s) && lies_on(x, x->b, at.b.s) && !is_left_to_closed(f, &at))
+        keep_within(f, &at);
     return 1;
 }
 
@@ -248,24 +278,68 @@ static void look(pm_pair_search *f, int i, int k)
 }
 
 /* ---- corners ---- */
+static double rises(const pm_pair *x, int end, const double n[2])
+{
+    const pm_curve_place at = place_of_a(x, end_of(x, end));
+    const double inwards = (end == PM_PAIR_FROM) == (at.rate > 0) ? 1 : -1;
+    return inwards * pm_dot(at.t, n);
+}
+
 double pm_pair_corner_rises(const pm_pair *x, int corner, const double n[2])
 {
-    const pm_curve_place end = place_of_a(x, end_of(x, corner));
-    const double inwards = (corner == PM_PAIR_FROM) == (end.rate > 0) ? 1 : -1;
-    return inwards * pm_dot(end.t, n);
+    const pm_pair own = seen_from(x, corner);
+    return rises(&own, pm_pair_end(corner), n);
+}
+
+/* The place as the pair has it, which a second corner sees the other way round. */
+static pm_pair_place unswapped(const pm_pair_place *at, int corner)
+{
+    if (!pm_pair_is_second(corner)) return *at;
+    return (pm_pair_place){.a = at->b, .b = at->a, .height = at->height};
+}
+
+/* What of b is nearest to a corner, and not beyond an end. */
+static int is_beside(const pm_pair *x, const pm_pair_place *corner, const pm_curve_taken *taken,
+                     pm_curve_near *near)
+{
+    if (!is_endless(x, x->b))
+        return pm_curve_feet_nearest(x->frame, x->b, corner->a.p, taken, near) &&
+               near->end == PM_CURVE_WITHIN;
+    near->foot = pm_curve_foot(x->frame, x->b, corner->a.p, 0, &near->height);
+    return 1;
+}
+
+/* Whether a, which is behind b with its end, has not gone round an end of b: from there, on a way that grows from what the end
+ * is deep, it comes to the front of b, or all of it is behind. */
+static int comes_through(const pm_pair *x, int end, double depth)
+{
+    const pm_curve_taken none = {.n = 0};
+    const double from = end_of(x, end), range = range_of(x, x->a);
+    const double inwards = end == PM_PAIR_FROM ? range : -range;
+    double part = depth / fabs(place_of_a(x, from).rate * range);
+    for (; part <= 1; part *= PM_PAIR_FARTHER) {
+        const pm_pair_place at = {.a = place_of_a(x, from + part * inwards)};
+        pm_curve_near near;
+        if (!is_beside(x, &at, &none, &near)) return 0;
+        if (near.height >= 0) return 1;
+    }
+    return 1;
 }
 
 static void look_at_corner(pm_pair_search *f, int corner)
 {
-    const pm_pair *x = f->x;
-    pm_pair_place at = {.a = place_of_a(x, end_of(x, corner))};
+    const pm_pair own = seen_from(f->x, corner);
+    if (!pm_curve_has_ends(own.frame->model, own.a)) return;
+    const int end = pm_pair_end(corner);
+    const pm_curve_taken *taken = pm_pair_is_second(corner) ? &f->closed->first : &f->closed->feet;
+    pm_pair_place at = {.a = place_of_a(&own, end_of(&own, end))};
     pm_curve_near near;
-    if (!pm_curve_feet_nearest(x->frame, x->b, at.a.p, &f->closed->feet, &near) ||
-        near.end != PM_CURVE_WITHIN)
-        return;
-    if (pm_pair_corner_rises(x, corner, near.foot.n) < 0) return;
+    if (!is_beside(&own, &at, taken, &near) || rises(&own, end, near.foot.n) < 0) return;
     at.b = near.foot;
     at.height = near.height;
+    if (!is_better(f, &own, taken, &at)) return;
+    if (at.height < 0 && pm_pair_is_second(corner) && !comes_through(&own, end, -at.height)) return;
+    at = unswapped(&at, corner);
     keep(f, &at, corner);
 }
 
@@ -280,15 +354,14 @@ static void take_any(pm_pair_search *f)
         return;
     at.b = near.foot;
     at.height = near.height;
-    keep(f, &at, PM_PAIR_WITHIN);
+    keep_within(f, &at);
 }
 
 int pm_pair_nearest(const pm_pair *x, const pm_pair_closed *closed, pm_pair_near *near)
 {
     pm_pair_search f = {.x = x, .closed = closed, .near = near};
-    const int has_corners = pm_curve_has_ends(x->frame->model, x->a);
     look(&f, 1, 1);
-    for (int corner = PM_PAIR_FROM; corner <= PM_PAIR_TO && has_corners; corner++)
+    for (int corner = PM_PAIR_FROM; corner <= PM_PAIR_SECOND_TO; corner++)
         if (!closed->passed[corner]) look_at_corner(&f, corner);
     if (!f.found && closed->feet.n == 0 && pm_curve_is_round(x->frame->model, x->a)) take_any(&f);
     return f.found;

@@ -27,30 +27,39 @@ typedef struct pm_pair_place {
  * none. */
 pm_pair_place pm_pair_meet(const pm_pair *x, double a, double b, double of);
 
-/* Which corner of a touches b: one of its ends, where it is open. */
-enum pm_pair_corner { PM_PAIR_WITHIN = 0, PM_PAIR_FROM = 1, PM_PAIR_TO = 2 };
+/* Which corner touches: an end of a on b, or an end of b on a, where they are open. */
+enum pm_pair_corner {
+    PM_PAIR_WITHIN = 0,
+    PM_PAIR_FROM = 1,
+    PM_PAIR_TO = 2,
+    PM_PAIR_SECOND_FROM = 3,
+    PM_PAIR_SECOND_TO = 4
+};
+static inline int pm_pair_is_second(int corner) { return corner >= PM_PAIR_SECOND_FROM; }
+/* PM_PAIR_FROM or PM_PAIR_TO: which end of its own curve it is. */
+static inline int pm_pair_end(int corner) { return pm_pair_is_second(corner) ? corner - PM_PAIR_TO : corner; }
 
 /* The places of a constraint, from those that it remembers (constraint_pair.c). */
 pm_pair_place pm_constraint_pair_places(const pm_frame *frame, const pm_constraint *c);
 
 /* What is next to each other. */
 typedef struct pm_pair_near {
-    pm_pair_place at; /* of a corner: of a its end, whatever its direction is */
+    pm_pair_place at; /* of a corner: of its curve the end, whatever its direction is */
     int corner;       /* enum pm_pair_corner */
 } pm_pair_near;
 
-/* Places that are not looked for: the feet on b of what is closed, and the corners that it has come over, with what is next to
- * them on a. */
+/* Places that are not looked for: the feet on b of what is closed, and those on a; and the corners that it has come over, with
+ * what is next to them on their curve. */
 typedef struct pm_pair_closed {
-    pm_curve_taken feet;
-    int passed[PM_PAIR_TO + 1];
+    pm_curve_taken feet, first;
+    int passed[PM_PAIR_SECOND_TO + 1];
 } pm_pair_closed;
 
 /* The place where they are nearest, or of those where they overlap the one where they do least, but for what is closed; 0:
  * there is none. */
 int pm_pair_nearest(const pm_pair *x, const pm_pair_closed *closed, pm_pair_near *near);
-/* By how far a goes on to the inside from a corner, along n of b: the sine of the angle between them; negative where what
- * touches is within. */
+/* By how far the curve of a corner goes on to the inside from there, along n of the other in its axes: the sine of the angle
+ * between them; negative where what touches is within. */
 double pm_pair_corner_rises(const pm_pair *x, int corner, const double n[2]);
 
 #endif

@@ -140,6 +140,28 @@ static int reverse_slip(pm_workspace *w)
     return 0;
 }
 
+/* Where joints and drives give a slip, what would stick depends on them and holds nothing: a slip that turns back goes on the
+ * other way.  How many do. */
+static int let_driven_go(pm_workspace *w)
+{
+    const double least = PM_PULLS * pm_case_acceleration(&w->numbers);
+    int n = 0;
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_slot *s = &w->state.slot[i];
+        const int contact = pm_contact_of_slot(w->model, i);
+        if (s->mode != PM_STICK || w->active.slot_tangent[i] >= PM_NONE ||
+            pm_contact_friction(w->model, contact) != PM_FRICTION_COULOMB)
+            continue;
+        pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, i);
+        pm_constraint_kind(slip.kind)->evaluate(&w->frame, &slip);
+        const double rate = pm_constraint_times(&w->frame, &slip, w->frame.a) - slip.gamma;
+        if (!(fabs(rate) > least)) continue;
+        s->mode = rate > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+        n++;
+    }
+    return n;
+}
+
 /* Loads that no rounding makes of loads which contacts could give. */
 static int are_absurd(const pm_workspace *w, double size)
 {
@@ -303,6 +325,7 @@ int pm_contact_modes_settle(pm_workspace *w)
             continue;
         }
         if (status || w->phase.kinematic) return status;
+        if (let_driven_go(w) && (status = accelerate(w))) return status;
         const double size = force_size(&w->frame, &w->active);
         const int stand = stands(w, size);
         if (!changed || stand) {

@@ -59,11 +59,13 @@ void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint
                                   const pm_constraint *tangent, const double impulse[2])
 {
     const pm_constraint *c[] = {normal, tangent};
+    const double side = pm_contact_constraint_side(&w->frame, pm_contact_of_slot(w->model, slot), normal);
     for (int k = 0; k < 2; k++) {
         pm_line_of_action along;
         pm_constraint_kind(c[k]->kind)->act(&w->frame, c[k], &along);
         w->impulses.slot[2 * slot + k] = impulse[k];
-        memcpy(w->impulses.slot_direction + 4 * slot + 2 * k, along.direction, sizeof along.direction);
+        for (int i = 0; i < 2; i++)
+            w->impulses.slot_direction[4 * slot + 2 * k + i] = side * along.direction[i];
     }
 }
 

@@ -79,6 +79,7 @@
 #define PM_CURVE_STRIDE 16 /* nodes from look to look for a first bound of a distance; more or fewer: slower */
 #define PM_CURVE_BISECTIONS 60 /* of a part in which Newton's method leaves the foot; fewer: less exact */
 #define PM_PAIR_BEHIND 1e-6 /* of a depth: a place of another curve that is as near, and no nearer; larger: what is on the far side of a thin body touches */
+#define PM_PAIR_FARTHER 1.5 /* of the way from an end behind another curve: the next place that is looked at; larger: the front may be stepped over */
 #define PM_CURVE_CUSP 1e-6 /* of the mean rate of a curve: a place at which it stops; larger: steep parameters are refused */
 #define PM_CURVE_LENGTH 1e-13 /* of a length along a curve; larger: rolling and sticking drift */
 #define PM_CURVE_HALVINGS 6 /* of a part of a curve whose length is not found at once; fewer: less exact where it is steep */

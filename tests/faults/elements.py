@@ -54,8 +54,8 @@ FAULTS = [
     Fault(
         "pairs of curves: what is behind the other touches",
         "elements/pair.c",
-        "if (at->height < 0 && !is_in(x, at)) return;",
-        "if (at->height < 0 && at->height > -1e-9 && !is_in(x, at)) return;",
+        "(at->height >= 0 || is_in(x, at))",
+        "(at->height >= 0 || at->height <= -1e-9 || is_in(x, at))",
     ),
     Fault(
         "pairs of curves: parts that face each other are passed over",
@@ -78,7 +78,7 @@ FAULTS = [
     Fault(
         "pairs of curves: what is deep behind a line is not in it",
         "elements/pair.c",
-        "if (is_endless(x, x->a)) return 1;",
+        "if (is_endless(x, x->a) || is_endless(x, x->b)) return 1;",
         "",
     ),
     Fault(
@@ -92,6 +92,36 @@ FAULTS = [
         "elements/pair.c",
         "if (!closed->passed[corner]) look_at_corner(&f, corner);",
         "look_at_corner(&f, corner);",
+    ),
+    Fault(
+        "pairs of curves: the corners of the second touch nothing",
+        "elements/pair.c",
+        "for (int corner = PM_PAIR_FROM; corner <= PM_PAIR_SECOND_TO; corner++)",
+        "for (int corner = PM_PAIR_FROM; corner <= PM_PAIR_TO; corner++)",
+    ),
+    Fault(
+        "pairs of curves: what comes to the end of the second is let go",
+        "elements/contact_pair.c",
+        "return is_within ? next_on_second(frame, normal, member) : PM_NONE;",
+        "return PM_NONE;",
+    ),
+    Fault(
+        "pairs of curves: an end of the second that goes round the first is in it",
+        "elements/pair.c",
+        "if (!is_beside(x, &at, &none, &near)) return 0;",
+        "if (!is_beside(x, &at, &none, &near)) return 1;",
+    ),
+    Fault(
+        "pairs of curves: a corner of the second pulls",
+        "elements/contact_constraint.c",
+        "return normal->body[0] == frame->numbers->of_contact[contact].body[0] ? 1 : -1;",
+        "return 1;",
+    ),
+    Fault(
+        "pairs of curves: a corner of the second that was passed is there",
+        "elements/contact_pair.c",
+        "take_passed(frame, contact, PM_PAIR_SECOND_FROM, s[0], closed->passed);",
+        ";",
     ),
     Fault(
         "pieces of curves: a foot stays on the piece from which it comes",

@@ -40,6 +40,12 @@ FAULTS = [
         "!= 0) (void)w;",
     ),
     Fault(
+        "settle: a slip that drives give sticks where it turns back",
+        "impact/contact_modes_settle.c",
+        "if (!(fabs(rate) > least)) continue;",
+        "if (fabs(rate) >= 0) continue;",
+    ),
+    Fault(
         "settle: a slip against its mode goes on",
         "impact/contact_modes_settle.c",
         "n += slips_against(w, i);",

@@ -101,7 +101,10 @@ _WHOLE: Mapping[Callable[..., Any], Schema] = {
     readers.read_bounds: _PAIR,
     readers.read_point_or_two: _ONE_OR_TWO,
     readers.read_body_or_two: _ONE_OR_TWO,
-    readers.read_templates: {"type": "object", "additionalProperties": {"type": "object"}},
+    readers.read_templates: {
+        "type": "object",
+        "additionalProperties": {"type": "object", "additionalProperties": True},
+    },
     readers.read_start: {  # by address, which dotted keys make tables in tables
         "type": ["object", "string"],
         "pattern": "^equilibrium$",
