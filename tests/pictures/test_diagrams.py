@@ -203,6 +203,14 @@ def test_units_are_those_of_the_scene() -> None:
     assert "weight = 29.43 N" in shown(planemotion.load_text(BLOW), diagrams.FREE_BODY)
 
 
+def test_a_couple_that_is_only_rounding_is_not_drawn() -> None:
+    """The plate of 17.80 is held by a weld in its middle, whose couple is zero: 1e-16 N*m were shown."""
+    told = shown(planemotion.load(CHAPTER / "17-080.toml"), diagrams.KINETIC)
+    assert "fixed_y" in told
+    assert "fixed =" not in told
+    assert "e-" not in told
+
+
 @pytest.mark.parametrize("kind", [diagrams.FREE_BODY, diagrams.KINETIC, diagrams.IMPULSE])
 @pytest.mark.parametrize("stem", [*SAMPLE[::3], "17-SP08", "17-099"])
 def test_names_keep_apart_and_inside(stem: str, kind: str) -> None:

@@ -128,7 +128,9 @@ class Signs(Pen):
     def mass_centre(self, at: Place) -> None:
         self._add("centre", [at], stroke=BLUE, width=0.7, zorder=4.6)
 
-    def name(self, at: Place, text: str, colour: str = INK, bold: bool = False) -> None:
+    def name(
+        self, at: Place, text: str, colour: str = INK, bold: bool = False, around: Sequence[Place] = ()
+    ) -> None:
         self._add("name", [at], size=float(bold), stroke=colour, zorder=8, text=text)
 
     def write_names(self) -> None:
