@@ -159,6 +159,10 @@ FAULTS = [
         'ask.a = { of = "AB.omega", at = "before t = 0.1 s" }',
         'a condition gets a name: events.NAME = "t = 0.1 s", then at = "before NAME"',
     ),
+    (
+        'events.hit = "AB.omega < 0"\nask.a = { of = "AB.omega", at = "after hit" }',
+        'ask.a.at = "after hit": write "hit": that is just after the event, "before hit" just before it',
+    ),
     ('ask.a = "2*b"\nask.b = "2*a"', "ask.a: it reads itself: a reads b reads a"),
     ('ask.a = { max = "AB.omega" }\nask.b = { min = "a" }', 'ask.b.min = "a": "a" is an ask'),
     ('ask.a = { of = "AB.omega", run = "b" }', 'ask.a.run: unknown run "b"; there is none'),
