@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -97,6 +98,11 @@ def _recolour(colours: Any, setter: Any) -> None:
     changed = np.array([_counterpart(one) for one in several]).reshape(-1, 4)
     if changed.size and not np.array_equal(changed, several):
         setter(changed if len(changed) > 1 else tuple(changed[0]))
+
+
+def dark_of(colours: Iterable[str]) -> dict[str, str]:
+    """The counterparts on dark paper of colours of the house."""
+    return {colour: _DARK[colour] for colour in colours}
 
 
 def _counterpart(colour: Any) -> Any:
