@@ -76,7 +76,8 @@ def _own_places(drawing: Drawing, owner: str, mark: CurveMark) -> np.ndarray:
     known = drawing.places.get((owner, mark))
     if known is None:
         number = drawing.tables.default
-        values = np.linspace(*(number(bound) for bound in mark.bounds), _OF_CURVE + 1)
+        first, last = (number(bound) for bound in mark.bounds)
+        values = np.linspace(first, last, _OF_CURVE + 1)
         marks = (drawing.from_mass_center(owner, mark.at(Number(float(s)))) for s in values)
         known = drawing.places[owner, mark] = np.array([(number(x), number(y)) for x, y in marks])
     return known
