@@ -86,8 +86,12 @@ def _recolour_map(mapped: Collection) -> None:
     from matplotlib.colors import ListedColormap
 
     colours = mapped.get_cmap()
-    if isinstance(colours, ListedColormap):
-        mapped.set_cmap(ListedColormap([_counterpart(one) for one in to_rgba_array(colours.colors)]))
+    if not isinstance(colours, ListedColormap):
+        return
+    shown = to_rgba_array(colours.colors)
+    changed = np.array([_counterpart(one) for one in shown])
+    if not np.array_equal(changed, shown):  # a bar beside a map forgets its ticks when the colours are set
+        mapped.set_cmap(ListedColormap(changed))
 
 
 def _recolour(colours: Any, setter: Any) -> None:
