@@ -14,6 +14,7 @@ from matplotlib.text import Text
 
 import planemotion
 from planemotion.pen import page
+from planemotion.pen.names import LINE
 from planemotion.pen.symbols import Pen, Place
 from planemotion.pictures import scene as pictures
 from tests import ROOT
@@ -51,7 +52,7 @@ def lines_of(axes: Any) -> list[np.ndarray]:
     return [
         axes.transData.transform(line.get_xydata())
         for line in axes.get_lines()
-        if line.get_linewidth() == 0.5
+        if line.get_linewidth() == LINE
     ]
 
 

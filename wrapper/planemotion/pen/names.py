@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
 
 _SIZE = 8.5  # of letters, in points
+LINE = 0.5  # width of a line that leads to a place, in points
 _POINTS_PER_INCH = 72.0
 _DISTANCES = (5.0, 9.0, 14.0, 21.0, 30.0, 42.0, 58.0, 78.0)  # of spots from their place, in points
 _DIRECTIONS = 16
@@ -45,6 +46,15 @@ class Name:
     colour: str
     bold: bool
     around: Sequence[tuple[float, float]] = ()
+
+
+@dataclass(frozen=True)
+class Written:
+    """A name on its picture: the lower left of its text, and where its line leaves it, if it has one."""
+
+    name: Name
+    at: tuple[float, float]
+    line: tuple[float, float] | None
 
 
 @dataclass
@@ -77,7 +87,7 @@ class _Spots:
 
 def write(
     axes: Axes, canvas: FigureCanvasAgg, ink: Sequence[tuple[float, float]], names: Sequence[Name]
-) -> None:
+) -> list[Written]:
     """Writes names on axes on which `ink` [n, 2] is drawn already."""
     to_dots = axes.transData.transform
     dot = canvas.figure.dpi / _POINTS_PER_INCH
@@ -94,19 +104,20 @@ def write(
         ]
         spots.append(_spots_of(axes, canvas, name, own, others, inked, frame, dot))
     _choose(spots, dot)
-    for one, name in zip(spots, shown, strict=True):
-        _put(axes, one, name, dot)
+    return [_put(axes, one, name) for one, name in zip(spots, shown, strict=True)]
 
 
-def _put(axes: Axes, spots: _Spots, name: Name, dot: float) -> None:
+def _put(axes: Axes, spots: _Spots, name: Name) -> Written:
     """Writes a name at its spot, with its line."""
     to_unit = axes.transData.inverted().transform
     x, y = to_unit(spots.box[:2])
     spots.text.set_position((float(x), float(y)))
     spots.text.set_verticalalignment("bottom")
-    if spots.line is not None:
-        ends = to_unit(np.array(spots.line))
-        axes.plot(ends[:, 0], ends[:, 1], color=name.colour, linewidth=0.5, zorder=7.5)
+    if spots.line is None:
+        return Written(name, (float(x), float(y)), None)
+    ends = to_unit(np.array(spots.line))
+    axes.plot(ends[:, 0], ends[:, 1], color=name.colour, linewidth=LINE, zorder=7.5)
+    return Written(name, (float(x), float(y)), (float(ends[0, 0]), float(ends[0, 1])))
 
 
 class _Ink:

@@ -20,7 +20,7 @@ from matplotlib.colors import to_rgba
 from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
 
 from ..base.arrays import Floats
-from .names import Name, write
+from .names import Name, Written, write
 from .page import BLUE, INK, RED, SOFT
 
 Place = tuple[float, float]
@@ -323,10 +323,11 @@ class Pen:
                 return
         self.names.append(Name(at, text, colour, bold, around))
 
-    def write_names(self) -> None:
+    def write_names(self) -> list[Written]:
         """Writes all names, each at the free place nearest to what it names."""
-        write(self.axes, self.canvas, self.ink, self.names)
+        written = write(self.axes, self.canvas, self.ink, self.names)
         self.names.clear()
+        return written
 
 
 def _frame(a: Sequence[float] | Place, b: Sequence[float] | Place) -> tuple[Floats, Floats]:
