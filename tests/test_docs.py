@@ -192,3 +192,17 @@ def test_the_examples_of_the_docstrings_run(
     done = doctest.testmod(import_module(f"planemotion.{module}"), optionflags=flags)
     assert done.attempted > 1
     assert done.failed == 0
+
+
+def test_the_equations_name_files_that_are_there_and_each_kind_of_constraint() -> None:
+    page = (ROOT / "docs/equations.md").read_text(encoding="utf-8")
+    named = {name.removeprefix("kernel/") for name in re.findall(r"`([a-z/_]+\.c)`", page)}
+    assert len(named) > 50
+    assert {name for name in named if not (ROOT / "kernel" / name).is_file()} == set()
+    laws = {
+        path.name
+        for path in (ROOT / "kernel/elements").glob("*.c")
+        if re.search(r"^const pm_constraint_ops pm_", path.read_text(encoding="utf-8"), re.MULTILINE)
+    }
+    assert len(laws) > 8
+    assert {f"elements/{name}" for name in laws} - named == set()

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ import numpy as np
 import pytest
 
 import planemotion
+from tests import STUDIES
 from tests.chromium import chromium, opened
 from tests.test_history import BALL
 
@@ -166,3 +168,15 @@ def test_in_a_frame_of_a_notebook_all_of_it_is_seen(browser: Any, tmp_path: Path
         tall = page.evaluate("document.querySelector('iframe').clientHeight")
         assert inner.evaluate("document.querySelector('.pm').scrollHeight") <= tall + 4 or tall == 1000
         assert tall > 750, "the column is narrow: what stands beside the scene stands below it"
+
+
+def test_names_of_a_crowded_scene_keep_apart(browser: Any, tmp_path: Path) -> None:
+    """Gears on bearings, names within a tenth of the picture: some have lines to their places."""
+    file = planemotion.load(STUDIES / "gear_train.toml").animate().save(tmp_path / "gears.html")
+    with opened(browser, file, "light") as page:
+        boxes = state(page, "stage.boxes")
+        assert len(boxes) > 12
+        for (x, y, wide, tall), (other_x, other_y, other_wide, other_tall) in combinations(boxes, 2):
+            across = min(x + wide, other_x + other_wide) - max(x, other_x) - 6  # each box has 3 pixels around
+            down = min(y + tall, other_y + other_tall) - max(y, other_y) - 6
+            assert across <= 0 or down <= 0

@@ -171,7 +171,10 @@ def test_a_pipe_that_nobody_writes_hangs_no_command(folder: Path, monkeypatch: p
 
 @pytest.mark.parametrize(
     ("at", "wanted"),
-    [("0.1 s", 0.1), ("0.35 s", 0.35), ("0 s", 0.0), ("low", None), ("low 1", None)],
+    [
+        *(("0.1 s", 0.1), ("0.35 s", 0.35), ("0 s", 0.0)),
+        *(("low", None), ("low 1", None), ("before low", None)),
+    ],
 )
 def test_a_scene_is_drawn_at_an_instant(folder: Path, at: str, wanted: float | None) -> None:
     scene = planemotion.load(write(folder, "a.toml", RELEASED))
@@ -194,6 +197,8 @@ def test_a_scene_is_drawn_at_an_instant(folder: Path, at: str, wanted: float | N
         ("0.5 s", "the run ends before it, at 0.35 s"),
         ("strike", "nothing of that name happens; it has low"),
         ("low 2", "the run has 1 of these"),
+        ("before low 2", "the run has 1 of these"),
+        ("after low", 'write "low": that is just after the event, "before low" just before it'),
         ("3 kg", "a time such as"),
     ],
 )

@@ -169,6 +169,26 @@ def test_a_blow_as_the_run_begins_is_drawn_with_its_values() -> None:
     assert "ball" not in shown(scene, diagrams.IMPULSE, bodies=("AB",)).replace("A ball", "")
 
 
+def test_free_bodies_just_before_a_blow_and_just_after_it() -> None:
+    """From level to hanging: m g + m omega^2 L/2 = 5/2 m g at its hinge, m g when it is stopped."""
+    scene = planemotion.load_text("""
+        until = "strike"
+        events.strike = "stop strikes"
+        ground.points.S = [0, "-1 m"]
+        bodies.rod = { rod = ["A", "B"], length = "1 m", mass = "2 kg", at = { A = [0, 0] } }
+        joints.A = { pin = ["rod.A", "ground"] }
+        contacts.stop = { touch = ["rod.bottom", "ground.S"] }
+        ask.omega = "rod.omega"
+    """)
+    weight = 2 * 9.81
+    for at, pull, said in (("before strike", 2.5 * weight, "before strike"), ("strike", weight, "strike")):
+        drawn = shown(scene, diagrams.FREE_BODY, at)
+        assert f"A_y = {pull:.4g} N" in drawn
+        assert f"{said}, stop, t = " in drawn
+        check(acting.forces(acting.instant(scene, at)))
+    assert "stop_N" in shown(scene, diagrams.IMPULSE, "before strike")
+
+
 def test_an_impulse_is_that_of_the_velocity_before_it() -> None:
     """Half of the momentum is taken: of what is left it would be half as much."""
     here = acting.instant(planemotion.load_text(SLOWED), blow=True)
@@ -201,6 +221,14 @@ def test_units_are_those_of_the_scene() -> None:
     assert " lb*ft*s" in shown(feet, diagrams.IMPULSE)
     assert "energy [ft*lb]" in shown(feet, diagrams.ENERGY)
     assert "weight = 29.43 N" in shown(planemotion.load_text(BLOW), diagrams.FREE_BODY)
+
+
+def test_a_couple_that_is_only_rounding_is_not_drawn() -> None:
+    """The plate of 17.80 is held by a weld in its middle, whose couple is zero: 1e-16 N*m were shown."""
+    told = shown(planemotion.load(CHAPTER / "17-080.toml"), diagrams.KINETIC)
+    assert "fixed_y" in told
+    assert "fixed =" not in told
+    assert "e-" not in told
 
 
 @pytest.mark.parametrize("kind", [diagrams.FREE_BODY, diagrams.KINETIC, diagrams.IMPULSE])

@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
+from matplotlib.patches import FancyArrowPatch
 
 import planemotion
 from planemotion.base.errors import SceneError, StudyError
 from planemotion.pen.page import VELOCITY
+from tests import STUDIES
 from tests.cli.calls import invoke, write
 from tests.pictures.figures import texts
 
@@ -91,3 +93,17 @@ def test_the_command_draws_them(tmp_path: object, monkeypatch: pytest.MonkeyPatc
     )
     assert done.exit_code == 0, done.stderr
     assert Path("a.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+@pytest.mark.parametrize("study", ["slider_crank", "bouncing_ball", "thrown_ball"])
+def test_velocities_end_in_the_picture(study: str) -> None:
+    """The arrow of a piston at the end of its stroke left the picture, and its name pointed out of it."""
+    figure = planemotion.load(STUDIES / f"{study}.toml").draw(at="0.3 s", show=["velocities"]).figure
+    [axes] = figure.axes
+    (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
+    arrows = [patch for patch in axes.patches if isinstance(patch, FancyArrowPatch)]
+    assert arrows
+    for patch in arrows:
+        for x, y in patch._posA_posB:  # type: ignore[attr-defined]
+            assert x0 < x < x1
+            assert y0 < y < y1

@@ -19,10 +19,12 @@ from planemotion._layout import (
     PM_ROUTE_RK,
 )
 from planemotion.base.errors import StudyError
+from planemotion.base.themes import THEMES
 from planemotion.compile.asks import Asked
 from planemotion.engine import history
 from planemotion.engine.outcome import History
 from planemotion.pen import page
+from planemotion.pen.theme import on_paper
 from planemotion.pictures.history import plot_history
 from planemotion.pictures.panels import open_sweep
 from planemotion.pictures.plots import plot
@@ -132,6 +134,26 @@ def test_two_parameters_give_maps(tmp_path: Path) -> None:
     np.testing.assert_array_equal(shown, speed.T)
     assert values_of(failed).count() == np.count_nonzero(status)
     assert place.get_title(loc="right") == f"no value in {np.count_nonzero(status)} of {status.size}"
+
+
+def test_a_bar_of_many_decades_has_plain_numbers_on_any_paper(tmp_path: Path) -> None:
+    """On dark paper it had $\\mathdefault{10^{2}}$."""
+    d, omega = np.meshgrid(D, OMEGA, indexing="ij")
+    grids = [[axis("d", "in", D)], [axis("omega0", "rad/s", OMEGA)]]
+    file = result(tmp_path / "a.h5", grids, {("n", ""): np.floor(d**4 * omega)})
+    for paper in THEMES:
+        with page.style(paper), open_sweep(file) as dataset:
+            figure = on_paper(plot_sweep(dataset), paper)
+            figure.savefig(tmp_path / "a.png")
+            shown = [label.get_text() for label in figure.axes[1].get_yticklabels()]
+        assert {"10", "100", "1000"} <= set(shown)
+        assert "$" not in "".join(shown)
+
+
+def test_a_count_that_is_the_same_in_all_cases_has_whole_ticks(tmp_path: Path) -> None:
+    [place] = figure_of(result(tmp_path / "a.h5", [[axis("d", "in", D)]], {("n", ""): np.zeros(len(D))})).axes
+    low, high = place.get_ylim()
+    assert [tick for tick in place.get_yticks() if low <= tick <= high] == [0, 1]
 
 
 def test_few_values_of_the_second_parameter_give_curves(tmp_path: Path) -> None:

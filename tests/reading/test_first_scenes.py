@@ -84,7 +84,7 @@ FAULTS = [
     ('"rad/s"', '"m"', 18, "ask.omega.unit", '"m"', "this is a length; the answer is an angular velocity"),
     ('of = "AB.omega", ', "", 18, "ask.omega", "", "amplitude, phase, events is wanted"),
     ('until = "t = 1 s"\n', "", None, "until", "", 'what ends the run is wanted, such as until = "t = 2 s"'),
-    ("t = 1 s", "1 s", 1, "until", '"1 s"', "a condition is wanted"),
+    ("t = 1 s", "1 s", 1, "until", '"1 s"', 'write "t = 1 s"'),
     ("t = 1 s", "t = 1", 1, "until", '"t = 1"', "t is a time, 1 is a plain number; they cannot be compared"),
     # the file
     ("[joints]", "[joint]", 9, "joint", "", 'did you mean "joints"?'),

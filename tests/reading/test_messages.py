@@ -8,7 +8,8 @@ import pytest
 
 from planemotion import SceneError, load, load_text
 from planemotion.compile.flatten import flatten
-from tests.reading.changed import BASE, assert_told, message
+from planemotion.reading.advice import advice
+from tests.reading.changed import BASE, assert_told, merged, message
 
 # What is added to (or put over) the base, and the message after "x.toml: ".
 FAULTS = [
@@ -158,6 +159,15 @@ FAULTS = [
     (
         'ask.a = { of = "AB.omega", at = "before t = 0.1 s" }',
         'a condition gets a name: events.NAME = "t = 0.1 s", then at = "before NAME"',
+    ),
+    (
+        'events.hit = "AB.omega < 0"\nask.a = { of = "AB.omega", at = "after hit" }',
+        'ask.a.at = "after hit": write "hit": that is just after the event, "before hit" just before it',
+    ),
+    ('until = "2 s"', 'until = "2 s": a time is no condition: write "t = 2 s"'),
+    (
+        'parameters.L = "1,2 m"',
+        'not "," (character 2); a number has a decimal point, no comma',
     ),
     ('ask.a = "2*b"\nask.b = "2*a"', "ask.a: it reads itself: a reads b reads a"),
     ('ask.a = { max = "AB.omega" }\nask.b = { min = "a" }', 'ask.b.min = "a": "a" is an ask'),
@@ -310,3 +320,32 @@ def test_sizes_of_shapes_are_positive(shape: str, place: str) -> None:
     text = f'until = "t = 1 s"\nask.x = "a.x"\nbodies.a = {{ {shape}, mass = "1 kg", at = [0, 0] }}'
     with pytest.raises(SceneError, match=rf"bodies\.a\.{place} = .*must be positive"):
         load_text(text).run()
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (
+            "bodies.AB.angle = 30",
+            'bodies.AB.angle = 30: without a unit it is in radians; "30 deg" are degrees',
+        ),
+        (
+            'bodies.AB.angle = "~-30"',
+            'bodies.AB.angle = ~-30: without a unit it is in radians; "~-30 deg" are',
+        ),
+        (
+            'until = "AB.turned = -90"',
+            'until = "AB.turned = -90": without a unit it is in radians; "AB.turned = -90 deg" are degrees',
+        ),
+        ('events.e = ["AB.angle > 90", "start"]', 'events.e = "AB.angle > 90": without a unit it is in'),
+        ('events.e = { when = "AB.angle<(90)" }', '"AB.angle< 90 deg" are degrees'),
+        ("bodies.AB.angle = 3", ""),
+        ('until = "AB.turned = -90 deg"', ""),
+        ('until = "AB.turned = 6.28"', ""),
+        ('until = "AB.omega = 30/(1 s)"', ""),
+    ],
+)
+def test_angles_without_a_unit_are_hinted_at(change: str, told: str) -> None:
+    found = [one for one in advice(merged(change)) if "radians" in one]
+    assert len(found) == bool(told)
+    assert told in "".join(found)

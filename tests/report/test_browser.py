@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -57,10 +58,29 @@ def test_the_slider_replays_its_case(study: Any) -> None:
     for place in range(4):
         study.locator("#slider-0").fill(str(place))
         study.locator("#slider-0").dispatch_event("input")
-        assert study.locator("#case").text_content() == f"v = {float(place + 1)!r} m/s"
+        assert study.locator("#case").text_content() == f"v = {place + 1} m/s"
         study.wait_for_timeout(300)
         ends.append(player(study, "motion.look(1).poses[0].x"))
     assert ends == pytest.approx([1, 2, 3, 4], abs=0.02)
+
+
+def test_a_curve_can_be_seen_on_its_paper(study: Any, theme: str) -> None:
+    """Its luminance differs from that of the paper; a dark blue on dark paper was hardly seen."""
+    shown = [
+        study.evaluate(f"getComputedStyle(document.querySelector('{where}')).{what}")
+        for where, what in (("#plot-0 path.js-line", "stroke"), ("body", "backgroundColor"))
+    ]
+    curve, paper = (_luminance(colour) for colour in shown)
+    bright, dim = max(curve, paper), min(curve, paper)
+    assert (bright + 0.05) / (dim + 0.05) > 4.5  # WCAG 2.1, 1.4.3
+    assert (paper > curve) == (theme == "light")
+
+
+def _luminance(colour: str) -> float:
+    """Of "rgb(31, 78, 121)", relative, as WCAG 2.1 has it."""
+    parts = [int(part) / 255 for part in re.findall(r"\d+", colour)[:3]]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
 def test_a_curve_is_drawn_hovered_over_and_zoomed(study: Any) -> None:
@@ -96,4 +116,4 @@ def test_a_grid_is_a_map_with_two_sliders(browser: Any, tmp_path: Path, theme: s
         assert page.evaluate("document.getElementById('plot-0').data[0].type") == "heatmap"
         page.locator("#slider-1").fill("1")
         page.locator("#slider-1").dispatch_event("input")
-        assert page.locator("#case").text_content() == "v = 1.0 m/s, tau = 1.5 s"
+        assert page.locator("#case").text_content() == "v = 1 m/s, tau = 1.5 s"

@@ -51,9 +51,7 @@ def test_of_a_study_and_of_its_result(tmp_path: Path) -> None:
     data = data_of(page)
     (plot,) = data["plots"]
     assert plot["data"][0]["y"] == pytest.approx([1 + i / 10 for i in range(31)])
-    assert [case["words"] for case in data["replays"]["cases"]] == [
-        f"v = {v!r} m/s" for v in (1.0, 2.0, 3.0, 4.0)
-    ]
+    assert [case["words"] for case in data["replays"]["cases"]] == [f"v = {v} m/s" for v in (1, 2, 3, 4)]
     assert '<td class="number">31</td>' in page
     scene.sweep(out=tmp_path).close()
     (result,) = tmp_path.glob("*.h5")

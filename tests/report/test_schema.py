@@ -56,7 +56,7 @@ def test_the_words_are_those_that_the_reader_takes() -> None:
 
 def test_no_inner_key_is_in_it() -> None:
     text = json.dumps(MADE)
-    for word in ("run_finds", "hints", "from_", "partners"):
+    for word in ("run_finds", "hints", "from_", "partners", "for messages", "shape only", "`kinds`"):
         assert word not in text
     assert "file" not in MADE["properties"]
 

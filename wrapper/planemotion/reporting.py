@@ -105,7 +105,7 @@ def _of_sweep(scene: Scene, dataset: xr.Dataset, most: int) -> Report:
     replays = []
     for place, case in places:
         values = case_values(dataset, case)
-        words = ", ".join(f"{name} = {text}" for name, text in values.items())
+        words = ", ".join(f"{name} = {_short(text)}" for name, text in values.items())
         replays.append(_replay(scene.with_values(values), place, words))
     told = _told(scene, explanations.explain(scene).text, replays, sliders)
     bad = int(np.count_nonzero(dataset["status"].values))
@@ -131,6 +131,15 @@ def _chosen(
         for place in product(*(range(len(index[dim])) for dim in dims))
     ]
     return sliders, places
+
+
+def _short(text: str) -> str:
+    """A quantity as it was written, with no more digits than one reads."""
+    number, _, unit = text.partition(" ")
+    try:
+        return f"{float(number):.6g} {unit}".rstrip()
+    except ValueError:
+        return text
 
 
 def _replay(scene: Scene, place: Sequence[int], words: str) -> Replay:

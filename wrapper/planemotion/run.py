@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _layout as layout
+from .base.arrays import Floats
 from .base.errors import SimulationError
 from .compile.asks import EACH_FIRINGS, MOST_FIRINGS
 from .compile.flatten import flatten
@@ -68,7 +69,7 @@ def _with_whole_lists(scene: Scene, flat: FlatScene, results: CaseResults) -> tu
 
 def _has_cut_list(flat: FlatScene, results: CaseResults) -> bool:
     rows = [ask.row for ask in flat.asks if ask.is_list]
-    return bool((results.reason[:, rows] == layout.PM_REASON_CUT).any())
+    return bool(rows) and bool((results.reason[:, rows] == layout.PM_REASON_CUT).any())
 
 
 def _is_shared(results: CaseResults) -> bool:
@@ -104,15 +105,15 @@ def run_near(scene: Scene, values: Mapping[str, Any]) -> RunResult | None:
         near = _near(flat, data, values)
         if near is None:
             return None
-        found = _run_once(near)
-        if _has_cut_list(near, found) or _is_shared(found) or found.status[0] != layout.PM_OK:
+        found = call.run_cases(flat, near[None])
+        if _has_cut_list(flat, found) or _is_shared(found) or found.status[0] != layout.PM_OK:
             return None
-        results.append((near, found))
+        results.append((flat, found))
     return collect(data.id, data.file, tuple(data.ask), results)
 
 
-def _near(flat: FlatScene, data: SceneData, values: Mapping[str, Any]) -> FlatScene | None:
-    """The same tables at other values of parameters; None if these are not what the values change alone."""
+def _near(flat: FlatScene, data: SceneData, values: Mapping[str, Any]) -> Floats | None:
+    """The parameters [parameters] of the tables; None if these are not what the values change alone."""
     own = data.runs[flat.run] if flat.run is not None else {}
     sought = flat.find.vary if flat.find is not None else {}
     defaults = flat.defaults.copy()
@@ -126,4 +127,4 @@ def _near(flat: FlatScene, data: SceneData, values: Mapping[str, Any]) -> FlatSc
             defaults[flat.parameters.index(name)] = size
     if not flat.checks.hold(dict(zip(flat.parameters, defaults.tolist(), strict=True))):
         return None
-    return replace(flat, defaults=defaults)
+    return defaults

@@ -201,8 +201,8 @@ class Scene(SceneTable):
         >>> scene.draw(show="dimensions", theme="dark").save("rod.png").stat().st_size > 10_000
         True
 
-        `at`: a time such as "0.3 s", or an event ("strike", "strike 2"); without it the start.  `as_`: a
-        figure of the book, with names and values: "free-body", "kinetic" (forces = m a), "impulse-momentum"
+        `at`: a time such as "0.3 s", or an event ("strike 2", "before strike"); without it the start.  `as_`:
+        a figure of the book, with names and values: "free-body", "kinetic" (forces = m a), "impulse-momentum"
         (without `at` of the first blow) or "energy" (the work of each force since the start; without `at` of
         the whole run); of all bodies, or of `bodies`.  `show`: of "dimensions" and "velocities", as a list or
         with commas, without `as_`.  `of_run`: which of its [runs] (default: the first).  `theme`: "light" or

@@ -200,9 +200,10 @@ class Stage {
     ink.textAlign = "center";
     ink.textBaseline = "middle";
     this.boxes = this.names.map((name, i) => {
-      const [dx, dy, wide] = this.offsets[i];
+      const [dx, dy, wide, line] = this.offsets[i];
       const x = places[i][0] + dx, y = places[i][1] + dy;
       ink.font = font(name);
+      if (line) this.lineTo(places[i], [x, y], wide, name);
       ink.lineWidth = 3;
       ink.lineJoin = "round";
       ink.setLineDash([]);
@@ -214,8 +215,29 @@ class Stage {
     });
   }
 
+  /* From a name that stands far away to what it names. */
+  lineTo([px, py], [x, y], wide, name) {
+    const ink = this.ink;
+    ink.setLineDash([]);
+    ink.lineWidth = 0.8;
+    ink.strokeStyle = this.colours[name.stroke] || this.colours.ink;
+    ink.beginPath();
+    ink.moveTo(px, py);
+    ink.lineTo(Math.max(x - wide / 2, Math.min(px, x + wide / 2)), Math.max(y - 8, Math.min(py, y + 8)));
+    ink.stroke();
+  }
+
   /* For each name how far from its place it stands: where it covers least of signs and other names at first. */
   placed(places, look) {
+    const inked = this.inked(look), chosen = [];
+    const spots = this.names.map((name, i) => this.spotsOf(name, places[i], inked));
+    for (let round = 0; round < 4; round++) {
+      spots.forEach((own, i) => { chosen[i] = cheapest(own, chosen.filter((_, k) => k !== i)); });
+    }
+    return chosen.map(({ at, x, y, wide, line }) => [x - at[0], y - at[1], wide, line]);
+  }
+
+  inked(look) {
     const inked = [];
     for (const sign of this.signs) {
       const corners = sign.at.map((at) => this.pixel(this.motion.place(look, at)));
@@ -229,27 +251,46 @@ class Stage {
         for (let k = 0; k < count; k++) inked.push([from[0] + (k / count) * (end[0] - from[0]), from[1] + (k / count) * (end[1] - from[1])]);
       });
     }
-    const taken = [];
-    return this.names.map((name, i) => {
-      this.ink.font = font(name);
-      const wide = this.ink.measureText(name.text).width;
-      let best = null;
-      for (const far of [13, 19, 27, 38]) {
-        for (let k = 0; k < 16; k++) {
-          const turn = Math.PI / 4 + (k * Math.PI) / 8;
-          const dx = Math.cos(turn) * (far + wide / 2 - 6), dy = -Math.sin(turn) * far;
-          const x = places[i][0] + dx, y = places[i][1] + dy;
-          const inside = ([px, py]) => Math.abs(px - x) < wide / 2 + 3 && Math.abs(py - y) < 9;
-          const over = taken.filter(([ox, oy, other]) => Math.abs(ox - x) < (wide + other) / 2 + 2 && Math.abs(oy - y) < 16).length;
-          const out = x - wide / 2 < 2 || x + wide / 2 > this.size[0] - 2 || y < 10 || y > this.size[1] - 10;
-          const cost = 4 * inked.filter(inside).length + 150 * over + 200 * out + far;
-          if (!best || cost < best.cost) best = { cost, x, y, offset: [dx, dy, wide] };
-        }
-      }
-      taken.push([best.x, best.y, wide]);
-      return best.offset;
-    });
+    return inked;
   }
+
+  /* Where a name may stand around its place, and what each spot costs by itself. */
+  spotsOf(name, at, inked) {
+    this.ink.font = font(name);
+    const wide = this.ink.measureText(name.text).width, spots = [];
+    for (const far of [13, 19, 27, 38, 52, 70, 92]) {
+      for (let k = 0; k < 16; k++) {
+        const turn = Math.PI / 4 + (k * Math.PI) / 8;
+        const x = at[0] + Math.cos(turn) * (far + wide / 2 - 6), y = at[1] - Math.sin(turn) * far;
+        const covered = inked.filter(([px, py]) => Math.abs(px - x) < wide / 2 + 3 && Math.abs(py - y) < 9).length;
+        const out = x - wide / 2 < 2 || x + wide / 2 > this.size[0] - 2 || y < 10 || y > this.size[1] - 10;
+        const line = far > 27;
+        spots.push({ at, x, y, wide, line, cost: 4 * covered + 200 * out + far + 10 * line });
+      }
+    }
+    return spots;
+  }
+}
+
+/* The spot that costs least beside those of other names: boxes that overlap, lines that pass through them. */
+function cheapest(spots, others) {
+  const beside = (one, other) => 150 * (Math.abs(other.x - one.x) < (one.wide + other.wide) / 2 + 5 && Math.abs(other.y - one.y) < 16)
+    + 40 * (one.line && passes(one, other)) + 40 * (other.line && passes(other, one));
+  let best = null;
+  for (const spot of spots) {
+    const cost = others.reduce((sum, other) => sum + beside(spot, other), spot.cost);
+    if (!best || cost < best.cost) best = { cost, spot };
+  }
+  return best.spot;
+}
+
+/* Whether the line from a name to its place passes through another name. */
+function passes({ at, x, y }, other) {
+  for (let k = 0; k <= 20; k++) {
+    const px = at[0] + (k / 20) * (x - at[0]), py = at[1] + (k / 20) * (y - at[1]);
+    if (Math.abs(px - other.x) < other.wide / 2 && Math.abs(py - other.y) < 8) return true;
+  }
+  return false;
 }
 
 function font(name) { return `${name.bold ? "600 " : ""}13px system-ui, "DejaVu Sans", sans-serif`; }

@@ -19,6 +19,7 @@ from matplotlib.figure import Figure
 
 from ..base.arrays import Floats
 from ..geometry.drawing import Drawing
+from ..pen.names import Written
 from ..pen.page import BLUE, INK, RED, SOFT
 from ..pen.sketch import Sketch
 from ..pen.symbols import BODY_FILL, PIN, SPRING, TOUCH, Pen, Place
@@ -128,11 +129,14 @@ class Signs(Pen):
     def mass_centre(self, at: Place) -> None:
         self._add("centre", [at], stroke=BLUE, width=0.7, zorder=4.6)
 
-    def name(self, at: Place, text: str, colour: str = INK, bold: bool = False) -> None:
+    def name(
+        self, at: Place, text: str, colour: str = INK, bold: bool = False, around: Sequence[Place] = ()
+    ) -> None:
         self._add("name", [at], size=float(bold), stroke=colour, zorder=8, text=text)
 
-    def write_names(self) -> None:
+    def write_names(self) -> list[Written]:
         """They are signs."""
+        return []
 
     def _along(self, at: Place, angle: float) -> Place:
         """A place an inch away in a direction."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..pen import page
+from ..pen.names import LINE, Name
 from ..pen.page import IMPULSE, SOFT
 from ..pen.sketch import Sketch
 from ..pen.symbols import Pen, Place
@@ -71,6 +73,11 @@ class Film:
         return [self.frame(float(time)) for time in (*spread, *self.beside.timing.events[:_EVENTS])]
 
 
+# From what has a name to the lower left of its text, and to where the line leaves that, if there is one.
+Offset: TypeAlias = tuple[Place, Place | None]
+_Key: TypeAlias = tuple[str, str, bool]  # text, colour, bold: what tells a name from others in all frames
+
+
 class _SameSketch(Sketch):
     """A sketch of other poses on the same paper."""
 
@@ -88,7 +95,7 @@ class _Paper:
     """What stays from frame to frame.  `room`: what is seen; `offsets`: of names, None: as fits the start."""
 
     def __init__(
-        self, beside: Beside, speed: float, room: Room, offsets: dict[str, Place] | None = None
+        self, beside: Beside, speed: float, room: Room, offsets: dict[_Key, Offset] | None = None
     ) -> None:
         self.beside = beside
         self.theme = beside.shows.theme or "light"
@@ -165,30 +172,36 @@ class _Paper:
     def _write_names(self, pen: Pen) -> None:
         """The names of a pen, each as far from what it names as at the start."""
         for name in pen.names:
-            dx, dy = self.offsets.get(name.text, (0.0, 0.0))
+            (dx, dy), line = self.offsets.get(_key(name), ((0.0, 0.0), None))
             weight = "bold" if name.bold else "normal"
             place = (name.place[0] + dx, name.place[1] + dy)
+            if line is not None:
+                x, y = name.place
+                ends = (x, x + line[0]), (y, y + line[1])
+                pen.axes.plot(*ends, color=name.colour, linewidth=LINE, zorder=7.5)
             pen.axes.text(
                 *place, name.text, color=name.colour, size=_NAME, weight=weight, zorder=8, clip_on=True
             )
 
-    def _name_offsets(self) -> dict[str, Place]:
+    def _name_offsets(self) -> dict[_Key, Offset]:
         """How far each name stands from what it names, at the start; the names are taken off again."""
         axes, motion = self.sketch.pen.axes, self.beside.motion
         before = set(axes.get_children())
         first = _SameSketch(self.sketch, motion.poses(0))
         SceneDrawing(motion.data, first).draw()
-        places = {name.text: name.place for name in first.pen.names}
-        first.pen.write_names()
-        offsets = {}
-        for text in axes.texts:
-            x, y = text.get_position()
-            at = places.get(text.get_text(), (x, y))
-            offsets[text.get_text()] = (x - at[0], y - at[1])
+        offsets: dict[_Key, Offset] = {}
+        for one in first.pen.write_names():
+            x, y = one.name.place
+            line = None if one.line is None else (one.line[0] - x, one.line[1] - y)
+            offsets[_key(one.name)] = (one.at[0] - x, one.at[1] - y), line
         for artist in axes.get_children():
             if artist not in before:
                 artist.remove()
         return offsets
+
+
+def _key(name: Name) -> _Key:
+    return name.text, name.colour, name.bold
 
 
 def _decimals(end: float) -> int:

@@ -64,7 +64,7 @@ def plot(result: Path, out: Path | None, theme: str) -> None:
 @click.option(
     "--at",
     metavar="INSTANT",
-    help='A time ("0.3 s"), an event ("strike", "strike 2") or the "end" of the run.',
+    help='A time ("0.3 s"), an event ("strike", "strike 2", "before strike") or the "end" of the run.',
 )
 @click.option(
     "--as",

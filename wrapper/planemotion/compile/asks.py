@@ -275,6 +275,8 @@ class Asks:
         """What is wrong with an instant that is no event, and how it is written; `at` becomes `then`."""
         known = [*self.events, "end"]
         when, what, word = name, "a condition", (name.split() or [""])[0]
+        if word == "after" and " " in name:
+            return just_after(name.partition(" ")[2].strip())
         if _is_time(name):
             when, what, word = f"t = {name}", "a time", name
         elif nearest(word, known):
@@ -302,6 +304,11 @@ class Asks:
         row[layout.PM_ASK_NTH] = nth or 1
         row[layout.PM_ASK_BEFORE] = int(before)
         return row, self.bounds.get(event, self.firings) if each else 1
+
+
+def just_after(event: str) -> str:
+    """That no "after" is written."""
+    return f'write "{event}": that is just after the event, "before {event}" just before it'
 
 
 def _is_time(text: str) -> bool:

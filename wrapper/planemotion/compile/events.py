@@ -14,9 +14,10 @@ from .. import _layout as layout
 from ..base.errors import Faults, SceneError, nearest
 from ..geometry.packing import Tables
 from ..language.address import DOTTED
+from ..language.dimensions import TIME
 from ..language.homogeneity import dimension
 from ..language.leaves import substitute
-from ..language.tree import Binary, Name, Node
+from ..language.tree import Binary, Name, Node, Number
 from ..model import words
 from ..model.tables import Event
 from .elements import CouplingInfo
@@ -163,6 +164,8 @@ class Instants:
             return f"an event fires on a crossing; write {node.operator[0]}"
         if isinstance(node, Binary) and node.operator == "or":
             return "write a list of conditions instead of or"
+        if isinstance(node, Number) and node.dimension == TIME:
+            return f'a time is no condition: write "t = {node}"'
         return (
             'a condition is wanted: "A = B", "A > B", "A < B", "X every d", "CONTACT strikes", '
             '"start", "rest" or "BODY rests"'

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cached_property, partial
 from typing import TypeAlias, TypeVar
 
 import numpy as np
@@ -90,12 +90,12 @@ class FlatScene:
     checks: Checks = field(default_factory=Checks)
     source: Written | None = None
 
-    @property
+    @cached_property
     def out_columns(self) -> int:
         """Columns of the results' `out`."""
         return sum(ask.columns for ask in self.asks)
 
-    @property
+    @cached_property
     def ask_rows(self) -> int:
         """Rows of the table of asks, and so columns of the results' `reason`."""
         return sum(ask.rows for ask in self.asks)

@@ -7,9 +7,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 from .. import _layout as layout
 from ..base.html import html_table
 from ..compile.asks import Asked
@@ -21,8 +18,13 @@ from .notes import first_ordered, notes_of
 from .outcome import CaseResults
 from .words import read_words, spelled
 
+_COUNTS = {
+    name.removeprefix("PM_COUNT_").lower(): index
+    for name, index in layout.pm_count_column.items()
+    if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS")
+}
 # Counts that say something only where a parameter is sought.
-_OF_FINDS = ("PM_COUNT_RUNS", "PM_COUNT_FOUND")
+_OF_FINDS = ("runs", "found")
 
 Estimate = float | list[float | None] | None
 Answer = Estimate | str
@@ -192,17 +194,14 @@ def answer_rows(result: RunResult) -> list[tuple[str, str, str, str]]:
 
 def answers(flat: FlatScene, results: CaseResults, i: int) -> dict[str, AskValue]:
     """The answers of case i in the units of the asks."""
+    out, reason, error, margin = (
+        row[i].tolist() for row in (results.out, results.reason, results.error, results.margin)
+    )
+    status = int(results.status[i])
     return {
         column.key: _word(column, results, i)
         if column.letters
-        else answer(
-            column,
-            results.out[i],
-            int(results.reason[i, column.row]),
-            int(results.status[i]),
-            results.error[i],
-            float(results.margin[i, column.row]),
-        )
+        else answer(column, out, reason[column.row], status, error, margin[column.row])
         for column in flat.asks
     }
 
@@ -222,16 +221,16 @@ def _word(column: Asked, results: CaseResults, i: int) -> AskValue:
 
 def answer(
     column: Asked,
-    out: npt.NDArray[np.float64],
+    out: Sequence[float],
     reason: int,
     status: int,
-    error: npt.NDArray[np.float64],
+    error: Sequence[float],
     margin: float = math.nan,
 ) -> AskValue:
     """One answer from a row of `out` and one of `error` [out columns], SI; the rest belongs to its case."""
     columns = slice(column.first, column.first + column.count)
-    values = [_finite(float(value) / column.factor) for value in out[columns]]
-    errors = [_finite(float(value) / column.factor) for value in error[columns]]
+    values = [_finite(value / column.factor) for value in out[columns]]
+    errors = [_finite(value / column.factor) for value in error[columns]]
     if column.open_ended:
         while values and values[-1] is None:
             values.pop()
@@ -274,11 +273,8 @@ def collect(
     sought = any(one.find is not None for one, _ in runs)
     excess = _known(max, (result.trust[0, layout.PM_TRUST_EXCESS] for _, result in runs))
     routes = [route_name(int(result.count[0, layout.PM_COUNT_ROUTE])) for _, result in runs]
-    counts = {
-        name.removeprefix("PM_COUNT_").lower(): int(sum(result.count[0, index] for _, result in runs))
-        for name, index in layout.pm_count_column.items()
-        if name not in ("PM_COUNT_ROUTE", "PM_COUNT_COLUMNS") and (sought or name not in _OF_FINDS)
-    }
+    sums = [sum(numbers) for numbers in zip(*(result.count[0].tolist() for _, result in runs), strict=True)]
+    counts = {word: sums[index] for word, index in _COUNTS.items() if sought or word not in _OF_FINDS}
     if error and counts["stiff_phases"] and "ida" not in routes:
         error += '; the motion is stiff: try solve.route = "ida"'
     return RunResult(

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from .. import _layout as layout
+from ..base.arrays import Floats
 from ..base.errors import SceneError
 from ..language.dimensions import DIMENSIONLESS, LENGTH
 from ..language.names import Names
@@ -21,6 +22,7 @@ from ..language.tree import ZERO, Node, atan2, cos, sin
 from ..model.readers import Vector
 from ..model.tables import Body
 from ..model.words import GROUND, unknown
+from .curves import CurveMark
 from .held import Drawn, pinned_points, prescribed_angles
 from .marks import Marks, Pair, body_marks, distance, ground_marks, rod_length
 from .packing import Tables, at_start
@@ -72,6 +74,7 @@ class Drawing:
         self.reader = reader
         self.tables = tables
         self.index = {name: index for index, name in enumerate(bodies)}
+        self.places: dict[tuple[str, CurveMark], Floats] = {}  # of curves, for pictures
         self._marks: dict[str, Marks] = {GROUND: ground_marks(reader, data.ground)}
         self._lengths: dict[str, Node] = {}
         self._poses: dict[str, Pose] = {}

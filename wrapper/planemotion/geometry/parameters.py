@@ -7,8 +7,10 @@ follows them in every case.  Overriding a dependent parameter makes it independe
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Collection, Mapping
+from functools import lru_cache
 from numbers import Real
 
 from ..base.errors import SceneError
@@ -19,7 +21,7 @@ from ..language.leaves import Leaf, evaluate, names
 from ..language.lookup import NO_TABLES, Book
 from ..language.parser import parse
 from ..language.tree import Name, Node, Number, cos, sin
-from ..language.units import NUMBER, parse_quantity
+from ..language.units import NUMBER, Quantity, factor, parse_quantity
 from ..model.readers import Value, Vector
 from ..model.words import unknown
 
@@ -155,27 +157,32 @@ def like_declared(declared: Value, given: Value) -> float | None:
     """
     if any(isinstance(one, bool) or not isinstance(one, str | Real) for one in (declared, given)):
         return None
-    unit = _literal_unit(declared)
-    text = f"{given if isinstance(given, str) else repr(given)} {unit}" if _is_bare(given) and unit else given
+    old = _literal(declared)
+    if old is None:
+        return None
+    unit = old.unit_text
+    if unit and isinstance(given, float) and math.isfinite(given):
+        return given * factor(unit)[0]
+    text = f"{given if isinstance(given, str) else repr(given)} {unit}" if unit and _is_bare(given) else given
+    new = _literal(text)
+    if new is None or new.unit_text != unit or (not unit and 0 in (old.value_si, new.value_si)):
+        return None
+    return new.value_si
+
+
+@lru_cache(maxsize=1024, typed=True)
+def _literal(written: Value) -> Quantity | None:
+    """What is written as a quantity; None for an expression."""
     try:
-        old, new = parse_quantity(declared), parse_quantity(text)
+        return parse_quantity(written)
     except SceneError:
         return None
-    if new.unit_text != unit or (not unit and 0 in (old.value_si, new.value_si)):
-        return None
-    return evaluate(parse(text), _no_leaf)
-
-
-def _no_leaf(leaf: Leaf) -> float:
-    raise AssertionError(f"a quantity has no {leaf}")
 
 
 def _literal_unit(written: Value) -> str:
     """The unit of a quantity; "" for a bare number or an expression."""
-    try:
-        return parse_quantity(written).unit_text
-    except SceneError:
-        return ""
+    quantity = _literal(written)
+    return quantity.unit_text if quantity is not None else ""
 
 
 def _is_bare(value: object) -> bool:

@@ -99,9 +99,10 @@ class Scanner:
         if self.at_end():
             return SceneError(f"it ends where {wanted} is wanted", value=self.text)
         found = self.peek(rf"{DOTTED}|{NUMBER}|\S")
-        return SceneError(
-            f'{wanted} is wanted, not "{found}" (character {self.position + 1})', value=self.text
-        )
+        reason = f'{wanted} is wanted, not "{found}" (character {self.position + 1})'
+        if re.search(r"\d$", self.text[: self.position]) and self.peek(r",\d"):
+            reason += "; a number has a decimal point, no comma"
+        return SceneError(reason, value=self.text)
 
 
 def parse_address(text: str, names: Names = PLAIN_NAMES) -> Address:

@@ -168,7 +168,9 @@ class Contact(Kind):
 
 
 class Grid(Table):
-    """A list of values, or from .. to in `num` values or steps of `step`, ends included; shape only."""
+    """A list of values, or from .. to in `num` values or steps of `step`, ends included.
+
+    Only its shape is checked here."""
 
     unwritten: ClassVar[tuple[str, ...]] = ("values",)
     values: tuple[Value, ...] | None = None
@@ -246,7 +248,7 @@ class At(Table):
 
 
 class Action(Table):
-    """What an event does: one of `kinds`, each with its options."""
+    """What an event does: it adds or removes an element, or applies an impulse."""
 
     kinds: ClassVar[Mapping[str, tuple[str, ...]]] = {
         "add": (),

@@ -40,7 +40,9 @@ Column = Annotated[str | tuple[Value, ...], BeforeValidator(read_column)]
 
 
 class Tabulated(Table):
-    """Values at given arguments, from the scene or from a CSV file; `points` is what stands there."""
+    """Values at given arguments, from the scene or from a CSV file.
+
+    `points` is what stands there."""
 
     unwritten = ("points",)
     file: Text | None = None

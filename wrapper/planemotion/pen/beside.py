@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..geometry.curves import CurveMark
+from ..geometry.drawing import Drawing
 from ..geometry.pairs import as_curve
 from ..geometry.partners import Partner
 from ..language.tree import Number
+from ..model.words import GROUND
 from .symbols import Place
 
 if TYPE_CHECKING:
@@ -22,21 +24,28 @@ _OF_CURVE = 240
 
 def places_of(sketch: Sketch, owner: str, mark: CurveMark) -> np.ndarray:
     """Places [n, 2] of a curve, in the order of s."""
-    return _places(sketch, owner, mark, _along(sketch, mark))
+    own = _own_places(sketch.drawing, owner, mark) / sketch.factor
+    if owner == GROUND:
+        return own
+    gx, gy, angle = sketch.poses[owner]
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([gx, gy]) / sketch.factor + own @ np.array([[c, s], [-s, c]])
 
 
 def along_curve(sketch: Sketch, owner: str, mark: CurveMark, at: Place) -> tuple[Place, float]:
     """The place of a curve next to a place, and its direction there."""
     if mark.endless:
         return _along_line(sketch, owner, mark, at)
-    values = _along(sketch, mark)
-    for _ in range(2):  # once more between the neighbours of the nearest
-        places = _places(sketch, owner, mark, values)
-        k = int(np.argmin(np.hypot(*(places - np.asarray(at)).T)))
-        first, last = max(k - 1, 0), min(k + 1, len(values) - 1)
-        values = np.linspace(values[first], values[last], _OF_CURVE + 1)
-    step = places[last] - places[first]
-    return _place(places[k]), math.atan2(step[1], step[0])
+    places = places_of(sketch, owner, mark)
+    k = int(np.argmin(np.hypot(*(places - np.asarray(at)).T)))
+    before, middle, after = places[min(max(k, 1), len(places) - 2) + np.array([-1, 0, 1])]
+    # Between three places the curve is a parabola, but for what nobody sees.
+    slope, bend = 0.5 * (after - before), 0.5 * (after + before) - middle
+    u = np.linspace(-1.0, 1.0, _OF_CURVE + 1)[:, None]
+    near = middle + u * (slope + u * bend)
+    best = int(np.argmin(np.hypot(*(near - np.asarray(at)).T)))
+    way = slope + 2 * u[best] * bend
+    return _place(near[best]), math.atan2(way[1], way[0])
 
 
 def between_curves(sketch: Sketch, a: Partner, b: Partner) -> tuple[Place, Place]:
@@ -56,19 +65,22 @@ def between_curves(sketch: Sketch, a: Partner, b: Partner) -> tuple[Place, Place
 
 
 def _along_line(sketch: Sketch, owner: str, mark: CurveMark, at: Place) -> tuple[Place, float]:
-    first, last = _places(sketch, owner, mark, _along(sketch, mark)[[0, -1]])
+    first, last = places_of(sketch, owner, mark)[[0, -1]]
     way = last - first
     part = (np.asarray(at) - first) @ way / (way @ way)
     return _place(first + part * way), math.atan2(way[1], way[0])
 
 
-def _along(sketch: Sketch, mark: CurveMark) -> np.ndarray:
-    first, last = (sketch.number(bound) for bound in mark.bounds)
-    return np.linspace(first, last, _OF_CURVE + 1)
-
-
-def _places(sketch: Sketch, owner: str, mark: CurveMark, values: np.ndarray) -> np.ndarray:
-    return np.array([sketch.place(owner, mark.at(Number(float(s)))) for s in values])
+def _own_places(drawing: Drawing, owner: str, mark: CurveMark) -> np.ndarray:
+    """Places [n, 2] of a curve in m, from the mass centre of its body along its axes; alike in all poses."""
+    known = drawing.places.get((owner, mark))
+    if known is None:
+        number = drawing.tables.default
+        first, last = (number(bound) for bound in mark.bounds)
+        values = np.linspace(first, last, _OF_CURVE + 1)
+        marks = (drawing.from_mass_center(owner, mark.at(Number(float(s)))) for s in values)
+        known = drawing.places[owner, mark] = np.array([(number(x), number(y)) for x, y in marks])
+    return known
 
 
 def _place(at: np.ndarray) -> Place:

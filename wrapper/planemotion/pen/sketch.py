@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ..geometry.curves import CurveMark
 from ..geometry.drawing import Drawing
@@ -31,6 +32,7 @@ from .symbols import Pen, Place
 
 # Greatest size of the drawing, and the room left around what is drawn, in inches.
 _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
+_TICK = 0.7  # an inch of axis for each number below it, so that they keep apart, in
 # A scene of no size (one particle) is drawn as if it were so large, in m.
 _NO_SIZE = 1.0
 
@@ -199,6 +201,7 @@ class Sketch:
         axes.set_ylabel(f"y [{self.unit}]")
         axes.yaxis.set_label_coords(-0.62 / paper[0], 0.5)
         axes.grid(True, color="#f0f0f0", linewidth=0.5)
+        axes.xaxis.set_major_locator(MaxNLocator(max(2, int(paper[0] / _TICK)), steps=[1, 2, 2.5, 5, 10]))
         return made, Pen(axes, canvas, inch)
 
     def ends(self, owner: str, line: LineMark) -> tuple[Place, Place]:

@@ -8,7 +8,7 @@ puts each name where it covers least of it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
@@ -18,9 +18,9 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgba
 from matplotlib.patches import Arc, Circle, FancyArrowPatch, Polygon
-from matplotlib.transforms import BboxBase
 
 from ..base.arrays import Floats
+from .names import Name, Written, write
 from .page import BLUE, INK, RED, SOFT
 
 Place = tuple[float, float]
@@ -41,15 +41,6 @@ _COIL = 0.065  # half the width of a spring, in
 _INK_STEP = 0.04  # between remembered places along a line, in
 _ARROW = 0.55  # an arrow of a force, in
 _OPEN = 0.02  # a joint that is open by more is drawn open, in
-_POINTS_PER_INCH = 72.0
-
-
-@dataclass
-class _Name:
-    place: Place
-    text: str
-    colour: str
-    bold: bool
 
 
 @dataclass
@@ -60,7 +51,7 @@ class Pen:
     canvas: FigureCanvasAgg
     inch: float
     ink: list[Place] = field(default_factory=list)
-    names: list[_Name] = field(default_factory=list)
+    names: list[Name] = field(default_factory=list)
 
     # ---- lines and shapes ----
 
@@ -318,68 +309,25 @@ class Pen:
                 path = patch.get_path().transformed(patch.get_patch_transform())
                 self.ink += [(float(x), float(y)) for x, y in places[path.contains_points(places)]]
 
-    def name(self, at: Place, text: str, colour: str = INK, bold: bool = False) -> None:
-        """Remembers a name to be written beside a place; one that stands there already is not repeated."""
+    def name(
+        self, at: Place, text: str, colour: str = INK, bold: bool = False, around: Sequence[Place] = ()
+    ) -> None:
+        """Remembers a name to be written beside a place; one that stands there already is not repeated.
+
+        `around`: the ink of what has the name, if it is more than that place."""
         near = 0.04 * self.inch
         for other in self.names:
             if math.dist(other.place, at) < near and other.colour == colour and other.bold == bold:
                 if text not in other.text.split(", "):
                     other.text += f", {text}"
                 return
-        self.names.append(_Name(at, text, colour, bold))
+        self.names.append(Name(at, text, colour, bold, around))
 
-    def write_names(self) -> None:
+    def write_names(self) -> list[Written]:
         """Writes all names, each at the free place nearest to what it names."""
-        renderer = self.canvas.get_renderer()
-        to_dots, to_unit = self.axes.transData.transform, self.axes.transData.inverted().transform
-        ink = to_dots(np.array(self.ink)) if self.ink else np.empty((0, 2))
-        dot = self.canvas.figure.dpi / _POINTS_PER_INCH
-        frame = self.axes.get_window_extent(renderer)
-        taken: list[_Box] = []
-        for name in sorted(self.names, key=lambda one: one.bold):  # bodies have more room
-            weight = "bold" if name.bold else "normal"
-            text = self.axes.text(
-                *name.place, name.text, color=name.colour, size=8.5, weight=weight, zorder=8
-            )
-            box = text.get_window_extent(renderer)
-            spots = _candidates(to_dots(name.place), box.width, box.height, dot)
-            best, _ = min(spots, key=lambda spot: _cost(spot[0], spot[1], ink, taken, frame, dot))
-            taken.append(best)
-            x, y = to_unit(best[:2])
-            text.set_position((float(x), float(y)))
-            text.set_verticalalignment("bottom")
+        written = write(self.axes, self.canvas, self.ink, self.names)
         self.names.clear()
-
-
-_Box = tuple[float, float, float, float]  # x0, y0, x1, y1 in dots
-
-
-def _candidates(center: Floats, width: float, height: float, dot: float) -> Iterable[tuple[_Box, float]]:
-    """Boxes round a place with their distance, near ones first."""
-    for distance in (5.0, 9.0, 14.0, 21.0, 30.0, 42.0, 58.0):
-        for i in range(16):
-            turn = math.pi / 4 + i * math.pi / 8
-            x = center[0] + (distance * dot + 0.5 * width) * _squared(math.cos(turn))
-            y = center[1] + (distance * dot + 0.5 * height) * _squared(math.sin(turn))
-            yield (x - 0.5 * width, y - 0.5 * height, x + 0.5 * width, y + 0.5 * height), distance
-
-
-def _squared(part: float) -> float:
-    """Pushes directions towards the sides of a box."""
-    return math.copysign(min(1.0, abs(part) * 1.25), part)
-
-
-def _cost(
-    box: _Box, distance: float, ink: Floats, taken: Sequence[_Box], frame: BboxBase, dot: float
-) -> float:
-    """How much a name would cover there, and how far it is from what it names."""
-    x0, y0, x1, y1 = box
-    pad = 2.5 * dot
-    x, y = ink[:, 0], ink[:, 1]
-    covered = np.count_nonzero((x > x0 - pad) & (x < x1 + pad) & (y > y0 - pad) & (y < y1 + pad))
-    overlaps = sum(x0 - pad < u1 and u0 < x1 + pad and y0 < v1 and v0 < y1 for u0, v0, u1, v1 in taken)
-    outside = x0 < frame.x0 or x1 > frame.x1 or y0 < frame.y0 or y1 > frame.y1
-    return 4.0 * float(covered) + 100.0 * overlaps + 200.0 * outside + distance
+        return written
 
 
 def _frame(a: Sequence[float] | Place, b: Sequence[float] | Place) -> tuple[Floats, Floats]:

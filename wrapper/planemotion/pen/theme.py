@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -85,8 +86,12 @@ def _recolour_map(mapped: Collection) -> None:
     from matplotlib.colors import ListedColormap
 
     colours = mapped.get_cmap()
-    if isinstance(colours, ListedColormap):
-        mapped.set_cmap(ListedColormap([_counterpart(one) for one in to_rgba_array(colours.colors)]))
+    if not isinstance(colours, ListedColormap):
+        return
+    shown = to_rgba_array(colours.colors)
+    changed = np.array([_counterpart(one) for one in shown])
+    if not np.array_equal(changed, shown):  # a bar beside a map forgets its ticks when the colours are set
+        mapped.set_cmap(ListedColormap(changed))
 
 
 def _recolour(colours: Any, setter: Any) -> None:
@@ -97,6 +102,11 @@ def _recolour(colours: Any, setter: Any) -> None:
     changed = np.array([_counterpart(one) for one in several]).reshape(-1, 4)
     if changed.size and not np.array_equal(changed, several):
         setter(changed if len(changed) > 1 else tuple(changed[0]))
+
+
+def dark_of(colours: Iterable[str]) -> dict[str, str]:
+    """The counterparts on dark paper of colours of the house."""
+    return {colour: _DARK[colour] for colour in colours}
 
 
 def _counterpart(colour: Any) -> Any:

@@ -25,7 +25,7 @@ from ..geometry.push import Place, Push
 from ..model.tables import Action
 from ..pen.sketch import Sketch
 from ..reading.scene import HasData
-from .instants import row_at
+from .instants import is_before, row_at
 from .scene import Start, contact_pushes, drawing_of
 
 # How a vector is best shown: as one arrow, by its parts along x and y, or across and along a surface.
@@ -146,7 +146,7 @@ def instant(
         row = len(recorded.time) - 1
     else:
         recorded, row = row_at(flat, "0 s" if at is None else at)
-        if recorded.mark[row] == BEFORE:
+        if recorded.mark[row] == BEFORE and (blow or at is None or not is_before(at)):
             row += 1
         if blow and not _struck(recorded, row):
             times = [f"{recorded.time[one]:.6g} s" for one in _blows_of(recorded)]
@@ -156,7 +156,8 @@ def instant(
     here = Instant(Start(scene.data, drawing, {}), flat, tuple(acts.acts), recorded, row)
     when = f"t = {recorded.time[row]:.6g} s"
     if recorded.events[row]:
-        when = f"{recorded.events[row]}, {when}"
+        side = "before " if recorded.mark[row] == BEFORE else ""
+        when = f"{side}{recorded.events[row]}, {when}"
     poses = {name: here.pose(name) for name in drawing.bodies}
     return replace(here, start=replace(here.start, poses=poses, when=when))
 

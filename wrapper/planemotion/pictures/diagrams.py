@@ -213,6 +213,8 @@ def _draw_panel(
     pen = sketch.pen
     SceneDrawing(here.start.data, sketch).draw_body(panel.body, sketch.drawing.bodies[panel.body])
     pen.cover()
+    # Also of a couple that the greatest vector would have at the end of the body: less is rounding.
+    couples = max(most[1], most[0] * sketch.reach(panel.body) * sketch.factor)
     wider: dict[Place, int] = {}
     arrows: list[_Shaft] = []
     for act in panel.acts:
@@ -222,7 +224,7 @@ def _draw_panel(
             if not size <= _NOTHING * most[0]:
                 label = f"{name} = {units.value(size)}"
                 arrows.append(_arrow(sketch, at, part, label, most[0], panel.colour, arrows))
-        if act.couple is not None and not abs(act.couple) <= _NOTHING * most[1]:
+        if act.couple is not None and not abs(act.couple) <= _NOTHING * couples:
             count = wider[at] = wider.get(at, -1) + 1
             label = f"{act.label} = {units.value(act.couple, couple=True)}"
             _couple(pen, at, act.couple, count, label, panel.colour)
@@ -285,8 +287,9 @@ def _arrow(
         foot, tip = foot + aside, tip + aside
     ends = [(float(end[0]), float(end[1])) for end in (foot, tip)]
     tail, head = (ends[1], ends[0]) if inwards else (ends[0], ends[1])
+    first = len(pen.ink)
     pen.arrow(tail, head, colour, linestyle="-" if known else ":")
-    pen.name(ends[1], label, colour if known else INK)
+    pen.name(ends[1], label, colour if known else INK, around=pen.ink[first:])
     return foot, tip
 
 
@@ -305,7 +308,8 @@ def _overlap(one: _Shaft, other: _Shaft, near: float) -> bool:
 def _couple(pen: Pen, at: Place, size: float, count: int, label: str, colour: str) -> None:
     known = not math.isnan(size)
     radius = _COUPLE + count * _WIDER
+    first = len(pen.ink)
     pen.curved_arrow(at, size >= 0 or not known, radius, colour, "-" if known else ":")
     turn = math.radians(190)
     there = at[0] + radius * pen.inch * math.cos(turn), at[1] + radius * pen.inch * math.sin(turn)
-    pen.name(there, label, colour if known else INK)
+    pen.name(there, label, colour if known else INK, around=pen.ink[first:])

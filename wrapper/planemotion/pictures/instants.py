@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from ..base.errors import SceneError
+from ..compile.asks import just_after
 from ..compile.flatten import FlatScene, flatten
 from ..compile.histories import HistoryColumns
 from ..engine import call, recording
-from ..engine.history import AFTER
+from ..engine.history import AFTER, BEFORE
 from ..engine.outcome import History
 from ..language.dimensions import TIME
 from ..language.units import parse_quantity
@@ -22,7 +23,7 @@ _ENDS = {"start": 0, "end": -1}
 
 
 def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
-    """What is drawn of a run (default: the first) at an instant: "0.3 s", "strike", "strike 2", "end".
+    """What is drawn of a run (default: the first) at an instant: "0.3 s", "strike", "before strike 2", "end".
 
     Names are those of events, and of contacts that are struck.  Raises SceneError for a fault in the scene,
     and for an instant that the run does not come to, SimulationError if nothing can be recorded.
@@ -55,7 +56,7 @@ def _three(recorded: History, row: int, name: str, words: tuple[str, str, str]) 
 
 
 def row_at(flat: FlatScene, at: str) -> tuple[History, int]:
-    """The recorded run and its row at a time, or right after an event.  Errors as of `instant_of`."""
+    """The run and its row at a time, just after an event or before it.  Errors as of `instant_of`."""
     seconds = _seconds(at)
     return _at_event(flat, at) if seconds is None else _at_time(flat, at, seconds)
 
@@ -87,12 +88,16 @@ def _at_time(flat: FlatScene, at: str, seconds: float) -> tuple[History, int]:
 
 
 def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
-    """The run and its row at its start or end, or right after something has happened for the nth time."""
-    name, _, number = at.strip().partition(" ")
+    """The run and its row at its start or end, or when something has happened for the nth time.
+
+    "strike" is just after it, "before strike" just before."""
     recorded = recording.record(flat, bends={})
     if at.strip() in _ENDS:
         return recorded, _ENDS[at.strip()]
-    rows = [row for row in np.flatnonzero(recorded.mark == AFTER) if name in recorded.events[row].split(", ")]
+    first, _, rest = at.strip().partition(" ")
+    side, named = (BEFORE, rest) if is_before(at) else (AFTER, at)
+    name, _, number = named.strip().partition(" ")
+    rows = [row for row in np.flatnonzero(recorded.mark == side) if name in recorded.events[row].split(", ")]
     nth = int(number) if number.strip().isdigit() else 1
     if not 1 <= nth <= len(rows):
         happened = sorted({one for event in recorded.events for one in event.split(", ") if one})
@@ -100,5 +105,12 @@ def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
         often = (
             f"the run has {len(rows)} of these" if rows else f"nothing of that name happens; it has {known}"
         )
+        if first == "after" and rest:
+            often = just_after(rest)
         raise SceneError(often, path="at", value=at)
     return recorded, int(rows[nth - 1])
+
+
+def is_before(at: str) -> bool:
+    """Whether it is the instant just before an event."""
+    return at.strip().startswith("before ")

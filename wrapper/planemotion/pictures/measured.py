@@ -26,7 +26,7 @@ _OVER = 0.05  # inches by which a witness line passes it
 _SMALL = 7.5  # size of numbers, points
 _LEAST = 0.18  # inches: what is shorter on paper has no dimension
 _ARC = 0.45  # radius of an angle, inches
-_ARROW = 0.9  # inches of the greatest velocity
+_ARROW = 0.5  # inches of the greatest velocity: less than the room around all that has a size
 _STILL = 1e-9  # of the greatest velocity: what is slower stands still
 _LEVEL = 1e-6  # rad: a rod is level or upright
 

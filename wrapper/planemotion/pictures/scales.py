@@ -40,6 +40,8 @@ def whole_ticks(place: Axes) -> None:
 
     place.yaxis.set_major_locator(MaxNLocator(nbins=5, integer=True))
     low, high = place.get_ylim()
+    if high - low < 1:  # one number: the next one is seen, too
+        low, high = np.ceil(low), np.ceil(low) + 1
     place.set_ylim(min(low, np.ceil(low) - 0.2), max(high, np.floor(high) + 0.2))
 
 

@@ -145,9 +145,10 @@ def _gravity(sketch: Sketch) -> None:
 
     x, y = min(corners, key=crowd)
     sketch.pen.arrow((x, y), (x, y - 0.38 * inch), SOFT, linewidth=1.0)
-    sketch.pen.axes.text(
-        x - 0.07 * inch, y - 0.19 * inch, "g", color=SOFT, ha="right", va="center", style="italic"
-    )
+    at = np.array([x - 0.07 * inch, y - 0.19 * inch])
+    sketch.pen.axes.text(at[0], at[1], "g", color=SOFT, ha="right", va="center", style="italic")
+    across, up = np.array([0.16 * inch, 0]), np.array([0, 0.05 * inch])
+    sketch.pen.remember(np.array([at - up, at - up - across, at + up - across, at + up]))
 
 
 class SceneDrawing:
@@ -225,6 +226,7 @@ class SceneDrawing:
             pen.dot(center, BLUE, _PARTICLE)
             pen.name(center, name, BLUE, bold=True)
             return
+        first = len(pen.ink)
         self._shape(name, body, center)
         for key in body.circles:
             at, radius = (
@@ -244,7 +246,7 @@ class SceneDrawing:
             pen.line(self.sketch.ends(name, marks.lines[key]), BLUE, 0.8, linestyle=_CENTRE_LINE, zorder=3)
         mass_centre = self.sketch.point(name, "G")
         pen.mass_centre(mass_centre)
-        pen.name(mass_centre, name, BLUE, bold=True)
+        pen.name(mass_centre, name, BLUE, bold=True, around=pen.ink[first:])
 
     def _shape(self, name: str, body: Body, center: Place) -> None:
         """The outline of a body that rotates."""
@@ -305,9 +307,10 @@ class SceneDrawing:
         self.sketch.pen.name(coupling.draw(self.sketch, f"couplings.{name}"), name)
 
     def _force(self, name: str, force: Force) -> None:
-        self.sketch.pen.name(
-            force.draw(self.sketch, f"forces.{name}"), name, SPRING if force.resists else RED
-        )
+        pen = self.sketch.pen
+        first = len(pen.ink)
+        at = force.draw(self.sketch, f"forces.{name}")
+        pen.name(at, name, SPRING if force.resists else RED, around=pen.ink[first:])
 
     def _contact(self, name: str, contact: Contact) -> None:
         pairs = [push.places for push in contact_pushes(self.sketch, name, contact)]

@@ -10,6 +10,8 @@ from typing import Any
 from ..model import words
 
 _NAME = re.compile(r"[^\W\d]\w*")
+# An angle that is compared with a plain number: "rod.turned = -90".
+_ANGLE_IS = re.compile(r"([\w.\[\]]+\.(?:angle|turned) *[=<>]) *\(?([-+]? *\d[\d.]*)\)?")
 # A size that is compared with zero: "ball.speed = 0".
 _SIZE_IS_ZERO = re.compile(r"([\w.\[\]]+)\.(speed|norm) *={1,2} *\(?0(\.0*)?( *[a-z][\w/*^]*)?\)?")
 
@@ -19,6 +21,7 @@ def advice(raw: Mapping[str, Any], elsewhere: Collection[str] = ()) -> tuple[str
     return (
         *(one for one in _unused(raw) if one.partition(":")[0].removeprefix("parameters.") not in elsewhere),
         *_bare_angles(raw, ""),
+        *_bare_turns(raw),
         *_nothing_asked(raw),
         *_touching_zero(raw),
     )
@@ -55,11 +58,31 @@ def _bare_angles(value: Any, path: str) -> Iterator[str]:
     if isinstance(value, Mapping):
         for key, one in value.items():
             below = f"{path}.{key}" if path else str(key)
-            number = isinstance(one, int | float) and not isinstance(one, bool)
-            if key == "angle" and number and 2 * math.pi < abs(one) < math.inf:
-                yield f'{below} = {one}: without a unit it is in radians; "{one} deg" are degrees'
+            if key == "angle" and _is_more_than_a_turn(one):
+                bare = str(one).strip()
+                yield f'{below} = {bare}: without a unit it is in radians; "{bare} deg" are degrees'
             else:
                 yield from _bare_angles(one, below)
+
+
+def _is_more_than_a_turn(value: Any) -> bool:
+    """Whether it is a number without a unit, also as a text, that is more than a turn in radians."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        return False
+    try:
+        return 2 * math.pi < abs(float(str(value).strip().removeprefix("~"))) < math.inf
+    except ValueError:
+        return False
+
+
+def _bare_turns(raw: Mapping[str, Any]) -> Iterator[str]:
+    """Conditions that wait for an angle whose number has no unit: -90 are radians."""
+    for path, written in (("until", raw.get("until")), *_conditions(raw)):
+        for condition in _texts(written):
+            found = _ANGLE_IS.fullmatch(condition.strip())
+            if found and _is_more_than_a_turn(found[2]):
+                meant = f"{found[1]} {found[2]} deg"
+                yield f'{path} = "{condition}": without a unit it is in radians; "{meant}" are degrees'
 
 
 def _nothing_asked(raw: Mapping[str, Any]) -> Iterator[str]:

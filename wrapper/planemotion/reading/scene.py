@@ -36,7 +36,9 @@ class Source:
 
 
 class SceneData(Table):
-    """A scene whose words and types are right.  `file` and `source` are where it came from, for messages.
+    """Bodies in a plane, what holds and moves them, how they start, and what is asked.
+
+    Its words and types are right.  `file` and `source` are where it came from, for messages.
 
     `hints`: old words in it; `advice`: what is right and may not be meant; one sentence each.  `joined`:
     names that are no plain words; `counted`: parameters on which it depends what there is; `whole`: its

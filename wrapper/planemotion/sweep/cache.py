@@ -6,6 +6,7 @@ made anew when the scene says something else, also where its table was changed d
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -15,6 +16,16 @@ if TYPE_CHECKING:
 
 # Which parameters are swept, and whether a history can be made.
 _Use: TypeAlias = tuple[frozenset[str], bool]
+# The version of marshal's format in which equal values are equal bytes, however often they are referred to.
+_SAME_EACH_TIME = 2
+
+
+def _as_written(said: Any) -> bytes:
+    """What tells 1 from 1.0 and keeps the order of tables, which comparing would not."""
+    try:
+        return marshal.dumps(said, _SAME_EACH_TIME)
+    except ValueError:  # of what is no value of a scene, which is told elsewhere
+        return repr(said).encode()
 
 
 class Kept:
@@ -22,15 +33,14 @@ class Kept:
 
     def __init__(self) -> None:
         self.chunk: dict[int, int] = {}
-        self._said = ""
+        self._said = b""
         self._flats: dict[_Use, list[FlatScene]] = {}
 
     def flats(
         self, raw: Mapping[str, Any], file: str | None, use: _Use, make: Callable[[], list[FlatScene]]
     ) -> list[FlatScene]:
         """The tables of each run of the scene `raw` out of `file`; `make` makes what is not there."""
-        # The text tells 1 from 1.0 and keeps the order of the tables, which comparing would not.
-        said = repr((file, {key: value for key, value in raw.items() if key != "sweep"}))
+        said = _as_written((file, {key: value for key, value in raw.items() if key != "sweep"}))
         if said != self._said:
             self._said, self._flats = said, {}
         if use not in self._flats:

@@ -7,7 +7,11 @@ from collections.abc import Mapping
 from importlib.resources import files
 from typing import Any
 
+from ..pen.page import CURVES, RED
+from ..pen.theme import dark_of
 from .needs import require
+
+_INKS = (*CURVES, RED)  # colours that plots have
 
 
 def page(document: Mapping[str, Any]) -> str:
@@ -26,7 +30,9 @@ def page(document: Mapping[str, Any]) -> str:
         style=Markup(_resource("report.css")),
         script=Markup(_resource("report.js")),
         plotly=Markup(_plotly()) if document["plots"] else "",
-        data=Markup(_inlined({"plots": document["plots"], "replays": document["replays"]})),
+        data=Markup(
+            _inlined({key: document[key] for key in ("plots", "replays")} | {"dark": dark_of(_INKS)})
+        ),
     )
 
 

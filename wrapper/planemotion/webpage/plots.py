@@ -67,7 +67,7 @@ def _samples(read: Panels, panel: Panel) -> dict[str, Any]:
     }
     for i, axis in enumerate(drawn, start=2):
         left = step * (i - 1) + 0.03
-        place = {"domain": [left, left + width], "anchor": "y2"}
+        place = {"domain": [left, left + width], "anchor": "y2", "nticks": 5, "tickangle": 0}
         layout[f"xaxis{i}"] = {**_layout_of(axis), **place}
     for values, name, colour in zip(panel.values.T, names, _colours(), strict=False):
         known = values[np.isfinite(values)]

@@ -19,10 +19,10 @@ function setTheme(theme) {
 /* ---- plots ---- */
 function themed(layout) {
   const axis = { gridcolor: colour("grid"), linecolor: colour("edge"), zeroline: false, automargin: true };
+  const axes = ["xaxis", "yaxis", ...Object.keys(layout).filter((key) => /^[xy]axis/.test(key))];
   return {
     ...layout,
-    xaxis: { ...axis, ...layout.xaxis },
-    yaxis: { ...axis, ...layout.yaxis },
+    ...Object.fromEntries(axes.map((key) => [key, { ...axis, ...layout[key] }])),
     paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
     font: { color: colour("ink"), family: "system-ui, DejaVu Sans, sans-serif", size: 13 },
     margin: { l: 60, r: 20, t: 12, b: 48 },
@@ -30,9 +30,15 @@ function themed(layout) {
   };
 }
 
+/* What is drawn in a colour of the house has its counterpart on dark paper. */
+function onPaper(data) {
+  const dark = document.documentElement.dataset.theme === "dark";
+  return JSON.parse(JSON.stringify(data), (_, value) => (dark && Object.hasOwn(told.dark, value) ? told.dark[value] : value));
+}
+
 function drawPlots() {
   told.plots.forEach((plot, i) => {
-    Plotly.react(`plot-${i}`, plot.data, themed(structuredClone(plot.layout)), { displaylogo: false, responsive: true });
+    Plotly.react(`plot-${i}`, onPaper(plot.data), themed(structuredClone(plot.layout)), { displaylogo: false, responsive: true });
   });
 }
 
