@@ -21,7 +21,7 @@
 #include "events/event.h"
 #include "expression/program.h"
 #include "impact/impact.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

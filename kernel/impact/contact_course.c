@@ -6,7 +6,7 @@
 
 #include "impact/contact_course_parts.h"
 #include "numerics/dense.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "planemotion.h"
 #include "state/state.h"
 

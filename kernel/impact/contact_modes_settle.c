@@ -15,7 +15,7 @@
 #include "equations/shared_loads.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"

@@ -9,7 +9,7 @@
 #include "impact/contact_modes.h"
 #include "impact/contact_system.h"
 #include "impact/impact_parts.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

@@ -14,7 +14,7 @@
 #include "impact/contact_problem_parts.h"
 #include "numerics/dense.h"
 #include "numerics/lemke.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "planemotion.h"
 #include "state/arena.h"
 #include "state/state.h"

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "numerics/dense.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "planemotion.h"
 #include "state/state.h"
 

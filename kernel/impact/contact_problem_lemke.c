@@ -5,7 +5,7 @@
 #include "impact/contact_problem.h"
 #include "impact/contact_problem_parts.h"
 #include "numerics/lemke.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "planemotion.h"
 #include "state/state.h"
 

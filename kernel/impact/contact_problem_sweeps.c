@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "impact/contact_problem_parts.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "planemotion.h"
 #include "state/state.h"
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "numerics/bracket.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "planemotion.h"
 
 enum {

@@ -10,7 +10,7 @@
 
 #include "impact/contact_springs_parts.h"
 #include "numerics/dense.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 
 static int rubs(const pm_contact_springs *x, int i)
 {

@@ -11,7 +11,7 @@
 
 #include "impact/contact_springs_parts.h"
 #include "numerics/dense.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 
 static double load_of(const pm_contact_springs *x, int i) { return pm_contact_springs_force(x, i, x->zero); }
 

@@ -8,7 +8,7 @@
 #include "equations/active_set.h"
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 
 int pm_contact_system_create(pm_contact_system *x, pm_arena *arena, const pm_model *m)

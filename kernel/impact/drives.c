@@ -18,7 +18,7 @@
 #include "elements/joint.h"
 #include "impact/contact_modes.h"
 #include "impact/impact.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

@@ -29,7 +29,7 @@
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
 #include "numerics/minmax.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/arena.h"
 #include "state/evidence.h"
 #include "state/frame.h"

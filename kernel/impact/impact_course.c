@@ -25,7 +25,7 @@
 #include "equations/saddle.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/workspace.h"
 
 #define STRETCHES 8 /* of constant rates: two phases, with one end of slip and one reversal at most */

@@ -23,6 +23,7 @@
 #include "impact/impact.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

@@ -10,7 +10,7 @@
 #include "elements/joint_friction.h"
 #include "equations/shared_loads.h"
 #include "impact/impact_parts.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

@@ -9,7 +9,7 @@
 #include "elements/contact.h"
 #include "events/last_bounce.h"
 #include "impact/impact_parts.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 

@@ -21,7 +21,7 @@
 #include "impact/meeting.h"
 #include "impact/switches.h"
 #include "impact/table_ends.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"

@@ -13,6 +13,7 @@
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"

@@ -14,6 +14,7 @@
 #include "expression/piecewise.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "state/frame.h"
 
 /* The event of a trigger that tells where a switch becomes positive; PM_NONE: it is another one. */

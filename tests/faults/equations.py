@@ -23,7 +23,7 @@ FAULTS = [
     ),
     Fault(
         "curves: the members of contacts are not followed",
-        "equations/active_set.c",
+        "equations/active_set_memory.c",
         "follow_members(frame, s);\n    follow_slack",
         "follow_slack",
     ),
@@ -36,11 +36,14 @@ FAULTS = [
     Fault(
         "capture: lets go when it would pull",
         "equations/active_set.c",
-        "status = append_captured(w, nbasis)",
+        "status = append_captured(w, basis)",
         "status = PM_OK",
     ),
     Fault(
-        "cord: slack ones are not followed", "equations/active_set.c", "follow_slack_cords(frame, s); }", "}"
+        "cord: slack ones are not followed",
+        "equations/active_set_memory.c",
+        "follow_slack_cords(frame, s); }",
+        "}",
     ),
     Fault(
         "shared: normal and friction of a contact are judged apart",

@@ -5,7 +5,7 @@
 #include "elements/contact.h"
 #include "equations/ledger.h"
 #include "impact/instant.h"
-#include "numerics/tolerances.h"
+#include "numerics/tolerances_impact.h"
 #include "scene.h"
 
 #define G 9.81
