@@ -113,3 +113,32 @@ def test_what_a_time_of_the_scene_makes_jump_is_no_tie(route: str) -> None:
     result = planemotion.load_text(STOPPED).run(**{"solve.route": route})
     assert result.status == "ok"
     assert number(result.asks["v"].value) == pytest.approx(1)
+
+
+KICKED = """
+until = "t = 1 s"
+[bodies]
+p = { mass = "1 kg" }
+[parameters]
+first = "0.5 s"
+later = "0.5 s"
+[forces.drag]
+force = "p"
+value = ["-(1 kg/s)*p.velocity.x", 0]
+[start]
+p.velocity.x = "1 m/s"
+[events]
+one = { when = "t = first", do = [{ impulse = "p", value = ["1 N*s", 0] }] }
+two = { when = "t = later", do = [{ impulse = "p", value = ["1 N*s", 0] }] }
+[ask]
+v = "p.velocity.x"
+"""
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("ulps", [0, 1, 2, 5, 20, 100, 10**4])
+def test_events_between_which_no_step_fits_both_happen(route: str, ulps: int) -> None:
+    """v = exp(-1) + 2 exp(-1/2), by a drag that takes 1/s of the speed."""
+    result = planemotion.load_text(KICKED).run(later=0.5 + ulps * math.ulp(0.5), **{"solve.route": route})
+    assert result.status == "ok"
+    assert result["v"] == pytest.approx(math.exp(-1) + 2 * math.exp(-0.5), abs=1e-9)

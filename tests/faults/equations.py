@@ -34,6 +34,12 @@ FAULTS = [
         "move_back(",
     ),
     Fault(
+        "a constraint of which little is left stands before one that holds much",
+        "equations/active_set.c",
+        "for (int round = basis ? 0 : 1;",
+        "for (int round = 1;",
+    ),
+    Fault(
         "capture: lets go when it would pull",
         "equations/active_set.c",
         "status = append_captured(w, basis)",

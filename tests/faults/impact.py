@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "modes: what is held for an instant alone is kept",
+        "impact/contact_modes_settle.c",
+        "if (status == PM_SINGULAR && let_one_go(w)) return settled(w, 1);",
+        "if (0 && let_one_go(w)) return settled(w, 1);",
+    ),
+    Fault(
         "meeting: a blow is where the rounded time has it",
         "impact/meeting.c",
         "if (left == 0) return PM_OK;",

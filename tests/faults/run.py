@@ -3,6 +3,12 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "advance: what is due now waits for a step",
+        "run/advance.c",
+        "if (is_due_now(w)) return PM_OK;",
+        "if (0 && is_due_now(w)) return PM_OK;",
+    ),
     Fault("event: a mark at a step's end comes again", "run/advance.c", "hold_hits(w, w->step.end);", ";"),
     Fault("event: a turn is passed as a mark", "run/advance.c", "!due && !w->step.reverses &&", "!due &&"),
     Fault(

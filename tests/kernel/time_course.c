@@ -1,5 +1,5 @@
 /* time_course.c - forces that act for a short time on a free particle, beside their integrals: rectangles, bells and half sines
- * of a width from a millionth of the run to a tenth of it, anywhere, on both routes in time. */
+ * of a width from a millionth of the run to a tenth of it, anywhere, on both routes in time; kicks at all but the same time. */
 #include "check.h"
 #include "scene.h"
 
@@ -102,12 +102,36 @@ static void a_pulse_with_a_sample_in_it(int route)
     }
 }
 
+/* Two kicks, the second so little later that no step fits between them: both are given, whatever the route. */
+static void kicks_next_to_each_other(int route)
+{
+    for (int k = 0; k < 4; k++) {
+        const double first = 0.5 * END, later = first * (1 + k * 2.2e-16);
+        scene *s = scene_create();
+        const int t = scene_time(s), point = scene_point(s, scene_body(s, 1, 0, 0, 0, 0), 0, 0);
+        const int wave =
+            SCENE_PROGRAM(s, scene_m(t), scene_k(s, WAVE), scene_op(PM_OP_MUL), scene_op(PM_OP_SIN));
+        *scene_setting(s, PM_SETTING_ROUTE) = route;
+        scene_applied(s, point, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, 0)), wave);
+        for (int i = 0; i < 2; i++)
+            SCENE_ROW(s, PM_TABLE_ACTION, PM_ACTION_IMPULSE,
+                      scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t, i ? later : first)), PM_NONE, point,
+                      SCENE_PROGRAM(s, scene_k(s, 1 + i)), SCENE_PROGRAM(s, scene_k(s, 0)));
+        const int out = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, point, PM_PART_X));
+        scene_until_time(s, END);
+        EQUAL(scene_run(s, NULL), PM_OK);
+        NEAR(s->out[out], 3, 1e-12);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     static const int route[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int i = 0; i < 2; i++) {
         check_pulses(route[i]);
         a_pulse_with_a_sample_in_it(route[i]);
+        kicks_next_to_each_other(route[i]);
     }
     return check_failures();
 }
