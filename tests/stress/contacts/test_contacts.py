@@ -163,7 +163,7 @@ def test_throws_that_failed_once(number: int, route: str) -> None:
 @pytest.mark.parametrize(
     "number",
     [
-        509136,  # a box in a gutter, flat on one wall: the corner on the other wall holds another one for an instant
+        509136,  # a box lies flat on one wall: the corner on the other one holds a third for an instant
         714977,  # likewise: what stands at right angles to a wall holds little more than what it hides
     ],
 )
