@@ -21,9 +21,11 @@ import planemotion
 from planemotion.base.errors import StudyError
 from planemotion.sweep import chunks, run, spread, task
 from planemotion.sweep.plan import plan_sweep
+from planemotion.sweep.pools import close_pool
 from planemotion.sweep.task import Recipe, compute_block
 from tests.scenes.pendulum import THROWN
 from tests.sweep.fake import BIG, FakeEngine, FakeScene, data_of
+from tests.waiting import HANGS
 
 GRIDS = {"L": {"from": "10 in", "to": "30 in", "num": 40}, "m": ["1 kg", "-1 kg", "2 kg", "3 kg"]}
 
@@ -183,6 +185,19 @@ def _die_writing(*_: Any) -> None:
         frame = frame.f_back
     os.write(frame.f_locals["result_queue"]._writer.fileno(), struct.pack("!i", 10**6) + b"a half")
     os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_a_pool_ends_though_one_of_its_processes_was_killed_and_another_waits() -> None:
+    """The one that is stopped stands for one that waits for a lock which the other has taken with it."""
+    pool = ProcessPoolExecutor(2)
+    assert sorted(pool.map(abs, [-1, -2])) == [1, 2]
+    waits, dies = list(pool._processes)
+    os.kill(waits, signal.SIGSTOP)
+    os.kill(dies, signal.SIGKILL)
+    closed = threading.Thread(target=close_pool, args=[pool], daemon=True)
+    closed.start()
+    closed.join(HANGS)
+    assert not closed.is_alive()
 
 
 def test_a_pool_that_cannot_be_made_again_ends_the_sweep_and_resume_goes_on(

@@ -8,7 +8,10 @@ pipe must lose all its writers for the pool to see that it is broken.
 from __future__ import annotations
 
 from concurrent.futures import ProcessPoolExecutor
-from typing import TypeGuard
+from typing import Any, TypeGuard
+
+# Between two looks at whether a process of a pool that ends has died, in s.
+_LOOK = 0.05
 
 
 def has_dead_process(executor: object) -> TypeGuard[ProcessPoolExecutor]:
@@ -26,3 +29,19 @@ def break_pool(executor: ProcessPoolExecutor) -> None:
     for process in list((executor._processes or {}).values()):
         process.kill()
     executor._result_queue._writer.close()  # type: ignore[attr-defined]
+
+
+def close_pool(executor: ProcessPoolExecutor) -> None:
+    """Ends a pool and waits for it.
+
+    A process that is killed just then may hold the lock of the queue on which the others wait, and the pool
+    waits for them without end.  All work is done by then, so they are ended, too.
+    """
+    processes = list((executor._processes or {}).values())
+    manager: Any = executor._executor_manager_thread  # type: ignore[attr-defined]
+    executor.shutdown(wait=False)
+    while manager is not None and manager.is_alive():
+        manager.join(_LOOK)
+        if any(process.exitcode for process in processes):
+            for process in processes:
+                process.kill()

@@ -12,7 +12,7 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from queue import Empty, SimpleQueue
@@ -22,7 +22,7 @@ from ..base.errors import PlanemotionError, StudyError
 from .block import Block
 from .cases import Study
 from .chunks import CHUNK_SECONDS, FIRST_CHUNK, GROWTH, POLL, Progress, keep
-from .pools import break_pool, has_dead_process
+from .pools import break_pool, close_pool, has_dead_process
 from .size import memory
 from .takes import Takes
 from .task import Recipe, compute_block
@@ -158,7 +158,9 @@ class _Crew:
         executor = self._make()
         if not is_executor(executor):
             raise TypeError(f"executor gives {type(executor).__name__}, which has no method submit")
-        if hasattr(executor, "__exit__"):
+        if isinstance(executor, ProcessPoolExecutor):
+            self._stack.callback(close_pool, executor)
+        elif hasattr(executor, "__exit__"):
             self._stack.enter_context(executor)  # type: ignore[arg-type]
         return executor
 
