@@ -134,6 +134,7 @@ def test_a_follower_hops_from_the_speed_on_at_which_its_load_is_zero(k: float, r
     assert abs(number(hops.value) - exact) <= number(hops.error)
     assert number(asks["highest"].value) == pytest.approx(1e3 * E, rel=close(route))
     assert number(asks["least_load"].value) == pytest.approx(0, abs=1e-7)
+    assert number(asks["most_load"].value) == pytest.approx(2 * (M * G + k * PRESSED), rel=1e-8)  # below
 
 
 @pytest.mark.parametrize("route", ROUTES)
