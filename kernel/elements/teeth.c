@@ -3,7 +3,7 @@
 #include "elements/teeth.h"
 
 #include "elements/joint.h"
-#include "numerics/tolerances_impact.h"
+#include "numerics/tolerances.h"
 
 int pm_teeth_mesh(const pm_model *m, const pm_state *state, int joint)
 {

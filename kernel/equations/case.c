@@ -14,7 +14,6 @@
 #include "expression/program.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
-#include "numerics/tolerances_impact.h"
 #include "scene/reference.h"
 #include "state/evidence.h"
 #include "state/frame.h"

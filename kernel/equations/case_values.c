@@ -9,7 +9,6 @@
 #include "expression/operation.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
-#include "numerics/tolerances_impact.h"
 #include "scene/reference.h"
 #include "state/arena.h"
 #include "state/evidence.h"

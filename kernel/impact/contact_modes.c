@@ -18,7 +18,7 @@
 #include "equations/active_set.h"
 #include "equations/shared_loads.h"
 #include "events/event.h"
-#include "numerics/tolerances_impact.h"
+#include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/frame.h"
 #include "state/workspace.h"

@@ -43,4 +43,7 @@ int pm_contact_modes_pulling(pm_workspace *w, const double *load, int site, doub
 /* The first slot that sticks and whose tangential load is more than its friction can be, or PM_NONE. */
 int pm_contact_modes_overcome(pm_workspace *w, const double *load, int site, double size);
 
+/* The modes of all slots [nslot] as they were. */
+void pm_contact_modes_restore(pm_state *s, const pm_model *m, const int32_t *before);
+
 #endif

@@ -15,6 +15,7 @@
 #include "equations/shared_loads.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
+#include "numerics/tolerances.h"
 #include "numerics/tolerances_impact.h"
 #include "state/evidence.h"
 #include "state/frame.h"
@@ -257,11 +258,6 @@ static int stop(pm_workspace *w, int32_t *before)
     return n;
 }
 
-static void let_slide(pm_workspace *w, const int32_t *before)
-{
-    for (int i = 0; i < w->model->nslot; i++) w->state.slot[i].mode = before[i];
-}
-
 /* The velocities that modes leave of those before them, in the ledger. */
 static int account_for(pm_workspace *w)
 {
@@ -291,7 +287,7 @@ static int account(pm_workspace *w)
     const int stopped = stop(w, before);
     if (!stopped && memcmp(w->state.v, w->instant.velocity, velocities) == 0) return PM_OK;
     int status = account_for(w);
-    let_slide(w, before);
+    pm_contact_modes_restore(&w->state, w->model, before);
     if (status == PM_SINGULAR && stopped) status = account_for(w);
     return status ? status : accelerate(w);
 }

@@ -9,7 +9,7 @@
 #include "impact/contact_modes.h"
 #include "impact/contact_system.h"
 #include "impact/impact_parts.h"
-#include "numerics/tolerances_impact.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -98,9 +98,9 @@ static int solve(pm_workspace *w, pm_contact_system *x, int32_t *before, int *n)
     return PM_OK;
 }
 
-static void restore(pm_workspace *w, const int32_t *before)
+void pm_contact_modes_restore(pm_state *s, const pm_model *m, const int32_t *before)
 {
-    for (int i = 0; i < w->model->nslot; i++) w->state.slot[i].mode = before[i];
+    for (int i = 0; i < m->nslot; i++) s->slot[i].mode = before[i];
 }
 
 int pm_contact_modes_solve(pm_workspace *w, int *changed)
@@ -111,7 +111,7 @@ int pm_contact_modes_solve(pm_workspace *w, int *changed)
     if (!status && n != 1) status = fail(w, x, n);
     *changed = 0;
     if (status)
-        restore(w, before);
+        pm_contact_modes_restore(&w->state, w->model, before);
     else
         take(w, x, before);
     for (int i = 0; i < w->model->nslot; i++) *changed |= w->state.slot[i].mode != before[i];
@@ -134,6 +134,6 @@ int pm_contact_modes_check_one(pm_workspace *w)
     pm_contact_system *x = &w->blow->system;
     int n = 0;
     const int status = solve(w, x, w->blow->resting, &n);
-    restore(w, w->blow->resting);
+    pm_contact_modes_restore(&w->state, w->model, w->blow->resting);
     return status ? status : n > 1 ? fail(w, x, n) : PM_OK;
 }

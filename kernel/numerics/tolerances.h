@@ -93,6 +93,9 @@
 /* ---- equations ---- */
 /* natural sizes */
 #define PM_SHIFT 1e-6 /* of a state's own size: shows the size of what is read there; larger: not linear */
+/* loads */
+#define PM_PRESSURE_MOST 1.0471975511965976 /* rad, 60 degrees: teeth have no greater pressure angle; larger: they would hardly turn each other */
+#define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 /* which constraints depend on each other */
 #define PM_INDEPENDENT 1e-9 /* part of a constraint that others leave, of it: it counts; larger: holds too little */
 #define PM_CLEARLY_INDEPENDENT 1e-3 /* the same, above which nothing else is asked; larger: slower */

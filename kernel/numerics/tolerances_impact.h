@@ -7,8 +7,6 @@
 
 /* ---- impact ---- */
 #define PM_MEETING_ROUNDINGS 4 /* of the time of a blow: so far off it may be found; larger: what is no rounding is taken for it */
-#define PM_PRESSURE_MOST 1.0471975511965976 /* rad, 60 degrees: teeth have no greater pressure angle; larger: they would hardly turn each other */
-#define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 #define PM_ABSURD 1e-8 /* of the forces: where modes were solved for and loads fail by more, what nearly depends holds them; smaller: rounding is taken for that */
 #define PM_REVERSED 2 /* slips that are reversed at once where contacts nearly lock; more: more ways are tried */
 #define PM_APART_IN_TIME 1e-6 /* of the natural acceleration: towards each other no more, where others hold a pair to the first order; larger: contacts that press are let go */

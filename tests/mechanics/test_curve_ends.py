@@ -13,7 +13,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests import STUDIES
-from tests.mechanics.test_curve_pairs import BOWL, DOME, THROWN, Body, flown
+from tests.mechanics.test_curve_pairs import Body, thrown
 from tests.scenes import ROUTES, G, answers, close
 
 ORDERS = (False, True)
@@ -41,35 +41,11 @@ def blade(half: float, bend: float, below: float, inertia: float) -> Body:
 @pytest.mark.parametrize("seed", range(10))
 def test_thrown_blades_strike_with_their_ends_too(seed: int, swap: bool) -> None:
     rng = np.random.default_rng(100 + seed)
-    dome, rough, end, e = seed % 2 == 0, seed % 4 >= 2, 0.75, 0.7
-    k = -0.25 if dome else 0.25
+    dome, rough = seed % 2 == 0, seed % 4 >= 2
     bend, inertia = float(rng.uniform(0.3, 0.6)), round(rng.uniform(0.03, 0.08), 4)
     body = blade(0.4, bend, 0.05, inertia)
-    while True:
-        q = np.array([rng.uniform(-0.5, 0.5), 0.9 if dome else 1.1, rng.uniform(-1, 1)])
-        v = np.array([rng.uniform(-0.5, 0.5), 0.0, rng.uniform(-1, 1)])
-        try:
-            where, blows = flown(body, q, v, k, e, rough, end)
-            break
-        except ValueError:
-            continue
     curve = f'{{ x = "(1 m)*s", y = "({bend!r} m)*s^2 - (0.05 m)", from = -0.4, to = 0.4, side = "right" }}'
-    x, y, angle, vx, vy, w = (repr(float(one)) for one in (*q, *v))
-    scene = THROWN.format(
-        end=end,
-        curve=DOME if dome else BOWL,
-        body=f"curves.edge = {curve}",
-        inertia=inertia,
-        x=x,
-        y=y,
-        angle=angle,
-        vx=vx,
-        vy=vy,
-        w=w,
-        mark="p.edge",
-        e=e,
-        friction='"rough"' if rough else 0,
-    )
+    scene, where, blows = thrown(rng, body, f"curves.edge = {curve}", "p.edge", dome, rough, 1.0)
     got = answers(swapped(scene, swap))
     assert got["n"] == blows >= 1
     assert [got["x"], got["y"], got["angle"]] == pytest.approx(where.tolist(), abs=1e-8)

@@ -250,42 +250,51 @@ least = {{ min = "c.gap", unit = "m" }}
 """
 
 
+def thrown(
+    rng: np.random.Generator, body: Body, shape: str, mark: str, dome: bool, rough: bool, most: float
+) -> tuple[str, np.ndarray, int]:
+    """A scene in which a body falls, turned by at most so much, on a hill or into a bowl; where it is then, and after how
+    many blows."""
+    e, end = 0.7, 0.75
+    while True:
+        q = np.array([rng.uniform(-0.5, 0.5), 0.9 if dome else 1.1, rng.uniform(-most, most)])
+        v = np.array([rng.uniform(-0.5, 0.5), 0.0, rng.uniform(-1, 1)])
+        try:
+            where, blows = flown(body, q, v, -0.25 if dome else 0.25, e, rough, end)
+            break
+        except ValueError:
+            continue
+    x, y, angle, vx, vy, w = (repr(float(one)) for one in (*q, *v))
+    scene = THROWN.format(
+        end=end,
+        curve=DOME if dome else BOWL,
+        body=shape,
+        inertia=body.inertia,
+        x=x,
+        y=y,
+        angle=angle,
+        vx=vx,
+        vy=vy,
+        w=w,
+        mark=mark,
+        e=e,
+        friction='"rough"' if rough else 0,
+    )
+    return scene, where, blows
+
+
 @pytest.mark.parametrize("seed", range(12))
 def test_thrown_bodies_strike_hills_and_bowls_blow_by_blow(seed: int) -> None:
     rng = np.random.default_rng(seed)
     flat, rough = seed % 2 == 0, seed % 4 >= 2
-    k = -0.25 if flat else 0.25
     inertia = round(rng.uniform(0.03, 0.08), 4)
     body = edge(0.5, 0.05, inertia) if flat else ellipse(0.4, 0.25, inertia)
-    e, end = 0.7, 0.75
-    while True:
-        q = np.array([rng.uniform(-0.5, 0.5), 0.9 if flat else 1.1, rng.uniform(-0.6, 0.6)])
-        v = np.array([rng.uniform(-0.5, 0.5), 0.0, rng.uniform(-1, 1)])
-        try:
-            where, blows = flown(body, q, v, k, e, rough, end)
-            break
-        except ValueError:
-            continue
     shape = (
         'plate = ["1 m", "0.1 m"]'
         if flat
         else 'curves.rim = { ellipse = ["0.4 m", "0.25 m"], side = "right" }'
     )
-    scene = THROWN.format(
-        end=end,
-        curve=DOME if flat else BOWL,
-        body=shape,
-        inertia=inertia,
-        x=repr(float(q[0])),
-        y=repr(float(q[1])),
-        angle=repr(float(q[2])),
-        vx=repr(float(v[0])),
-        vy=0.0,
-        w=repr(float(v[2])),
-        mark="p.bottom" if flat else "p.rim",
-        e=e,
-        friction='"rough"' if rough else 0,
-    )
+    scene, where, blows = thrown(rng, body, shape, "p.bottom" if flat else "p.rim", flat, rough, 0.6)
     got = answers(scene)
     assert got["n"] == blows >= 1
     assert [got["x"], got["y"], got["angle"]] == pytest.approx(where.tolist(), abs=1e-8)

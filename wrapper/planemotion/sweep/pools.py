@@ -8,6 +8,7 @@ pipe must lose all its writers for the pool to see that it is broken.
 from __future__ import annotations
 
 from concurrent.futures import ProcessPoolExecutor
+from multiprocessing.process import BaseProcess
 from typing import Any, TypeGuard
 
 # Between two looks at whether a process of a pool that ends has died, in s.
@@ -18,7 +19,7 @@ def has_dead_process(executor: object) -> TypeGuard[ProcessPoolExecutor]:
     """Whether it is a pool that counts itself as whole and has a process that has ended."""
     if not isinstance(executor, ProcessPoolExecutor) or executor._broken:  # type: ignore[attr-defined]
         return False
-    return any(process.exitcode is not None for process in list((executor._processes or {}).values()))
+    return any(process.exitcode is not None for process in _processes_of(executor))
 
 
 def break_pool(executor: ProcessPoolExecutor) -> None:
@@ -26,8 +27,7 @@ def break_pool(executor: ProcessPoolExecutor) -> None:
 
     The pool sees that at once, and its futures raise BrokenProcessPool.
     """
-    for process in list((executor._processes or {}).values()):
-        process.kill()
+    _kill(_processes_of(executor))
     executor._result_queue._writer.close()  # type: ignore[attr-defined]
 
 
@@ -37,11 +37,20 @@ def close_pool(executor: ProcessPoolExecutor) -> None:
     A process that is killed just then may hold the lock of the queue on which the others wait, and the pool
     waits for them without end.  All work is done by then, so they are ended, too.
     """
-    processes = list((executor._processes or {}).values())
+    processes = _processes_of(executor)
     manager: Any = executor._executor_manager_thread  # type: ignore[attr-defined]
     executor.shutdown(wait=False)
     while manager is not None and manager.is_alive():
         manager.join(_LOOK)
         if any(process.exitcode for process in processes):
-            for process in processes:
-                process.kill()
+            _kill(processes)
+
+
+def _processes_of(executor: ProcessPoolExecutor) -> list[BaseProcess]:
+    """Those that it has begun; a pool that was shut down has none."""
+    return list((executor._processes or {}).values())
+
+
+def _kill(processes: list[BaseProcess]) -> None:
+    for process in processes:
+        process.kill()
