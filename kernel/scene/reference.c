@@ -23,92 +23,82 @@ const int pm_reference_columns[PM_TABLES] = {
     [PM_TABLE_READING] = PM_READING_COLUMNS,
 };
 
-/* One column of one table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
+/* One column of a table must lie in [low, rows of `of`), or be PM_NONE where that is allowed. */
 typedef struct pm_range {
-    int table, column, of, low, none_allowed;
+    int column, of, low, none_allowed;
 } pm_range;
 
-static const pm_range ranges[] = {
-    {PM_TABLE_VALUE, PM_VALUE_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_MASS, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_INERTIA, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_BODY, PM_BODY_ANGLE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_POINT, PM_POINT_BODY, PM_TABLE_BODY, PM_GROUND, 0},
-    {PM_TABLE_POINT, PM_POINT_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_POINT, PM_POINT_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_LINE, PM_LINE_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_LINE, PM_LINE_ANGLE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CIRCLE, PM_CIRCLE_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_CIRCLE, PM_CIRCLE_RADIUS, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_PATTERN, PM_PATTERN_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_PATTERN, PM_PATTERN_STEP_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_PATTERN, PM_PATTERN_STEP_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_PATTERN, PM_PATTERN_COUNT, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CURVE, PM_CURVE_POINT, PM_TABLE_POINT, 0, 0},
-    {PM_TABLE_CURVE, PM_CURVE_X, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_CURVE, PM_CURVE_Y, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_CURVE, PM_CURVE_FROM, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CURVE, PM_CURVE_TO, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CURVE, PM_CURVE_KNOTS, PM_TABLE_PIECEWISE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_SIDE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CONTACT, PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_SPEED, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_SLACK, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_TANGENTIAL, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_STIFFNESS, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_PRESSURE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_TURNS, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_LEVER, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_FROM, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_CONTACT, PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_JOINT, PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_JOINT, PM_JOINT_VALUE_2, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1},
-    {PM_TABLE_MEASURE, PM_MEASURE_VALUE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_START, PM_START_MEASURE, PM_TABLE_MEASURE, 0, 0},
-    {PM_TABLE_START, PM_START_VALUE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_TRIGGER, PM_TRIGGER_EVENT, PM_TABLE_EVENT, 0, 0},
-    {PM_TABLE_TRIGGER, PM_TRIGGER_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_UNTIL, PM_UNTIL_EVENT, PM_TABLE_EVENT, 0, 0},
-    {PM_TABLE_ASK, PM_ASK_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_ASK, PM_ASK_EVENT_INDEX, PM_TABLE_EVENT, 0, 1},
-    {PM_TABLE_ASK, PM_ASK_PROGRAM_2, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_ASK, PM_ASK_FIRST_VALUE, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_GRAVITY_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_SETTING, PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_MAX_CPU, PM_TABLE_VALUE, 0, 1},
-    {PM_TABLE_SETTING, PM_SETTING_EXPONENT, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SETTING, PM_SETTING_NUDGE, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_FIND, PM_FIND_PROGRAM, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_VARY, PM_VARY_LOW, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_VARY, PM_VARY_HIGH, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_CONDITION, PM_CONDITION_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_ANGLE, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_INERTIA, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_OMEGA, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SPIN, PM_SPIN_COUPLE, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_SECOND, PM_SECOND_X, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SECOND, PM_SECOND_Y, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_SECOND, PM_SECOND_Z, PM_TABLE_VALUE, 0, 0},
-    {PM_TABLE_ACTION, PM_ACTION_EVENT, PM_TABLE_EVENT, 0, 1},
-    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_ACTION, PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
-    {PM_TABLE_READING, PM_READING_EVENT, PM_TABLE_EVENT, 0, 0},
-    {PM_TABLE_READING, PM_READING_TABLE, PM_TABLE_PIECEWISE, 0, 0},
-    {PM_TABLE_READING, PM_READING_PROGRAM, PM_TABLE_PROGRAM, 0, 0},
+typedef struct pm_ranges {
+    const pm_range *range;
+    int count;
+} pm_ranges;
+
+#define COUNTED(...)                          \
+    .range = (const pm_range[]){__VA_ARGS__}, \
+    .count = (int)(sizeof((const pm_range[]){__VA_ARGS__}) / sizeof(pm_range))
+
+/* Whatever kind a row is of. */
+static const pm_ranges ranges[PM_TABLES] = {
+    [PM_TABLE_VALUE] = {COUNTED({PM_VALUE_PROGRAM, PM_TABLE_PROGRAM, 0, 0})},
+    [PM_TABLE_BODY] = {COUNTED({PM_BODY_MASS, PM_TABLE_VALUE, 0, 0}, {PM_BODY_INERTIA, PM_TABLE_VALUE, 0, 0},
+                               {PM_BODY_X, PM_TABLE_VALUE, 0, 0}, {PM_BODY_Y, PM_TABLE_VALUE, 0, 0},
+                               {PM_BODY_ANGLE, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_POINT] = {COUNTED({PM_POINT_BODY, PM_TABLE_BODY, PM_GROUND, 0},
+                                {PM_POINT_X, PM_TABLE_VALUE, 0, 0}, {PM_POINT_Y, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_LINE] = {COUNTED({PM_LINE_POINT, PM_TABLE_POINT, 0, 0}, {PM_LINE_ANGLE, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_CIRCLE] = {COUNTED({PM_CIRCLE_POINT, PM_TABLE_POINT, 0, 0},
+                                 {PM_CIRCLE_RADIUS, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_PATTERN] = {COUNTED(
+        {PM_PATTERN_POINT, PM_TABLE_POINT, 0, 0}, {PM_PATTERN_STEP_X, PM_TABLE_VALUE, 0, 0},
+        {PM_PATTERN_STEP_Y, PM_TABLE_VALUE, 0, 0}, {PM_PATTERN_COUNT, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_CURVE] = {COUNTED({PM_CURVE_POINT, PM_TABLE_POINT, 0, 0}, {PM_CURVE_X, PM_TABLE_PROGRAM, 0, 0},
+                                {PM_CURVE_Y, PM_TABLE_PROGRAM, 0, 0}, {PM_CURVE_FROM, PM_TABLE_VALUE, 0, 0},
+                                {PM_CURVE_TO, PM_TABLE_VALUE, 0, 0},
+                                {PM_CURVE_KNOTS, PM_TABLE_PIECEWISE, 0, 1})},
+    [PM_TABLE_CONTACT] = {COUNTED(
+        {PM_CONTACT_SIDE, PM_TABLE_VALUE, 0, 1}, {PM_CONTACT_RESTITUTION, PM_TABLE_VALUE, 0, 0},
+        {PM_CONTACT_STATIC, PM_TABLE_VALUE, 0, 1}, {PM_CONTACT_KINETIC, PM_TABLE_VALUE, 0, 1},
+        {PM_CONTACT_SPEED, PM_TABLE_PROGRAM, 0, 1}, {PM_CONTACT_SLACK, PM_TABLE_VALUE, 0, 1},
+        {PM_CONTACT_TANGENTIAL, PM_TABLE_VALUE, 0, 1}, {PM_CONTACT_STIFFNESS, PM_TABLE_VALUE, 0, 1},
+        {PM_CONTACT_PRESSURE, PM_TABLE_VALUE, 0, 1}, {PM_CONTACT_TURNS, PM_TABLE_VALUE, 0, 1},
+        {PM_CONTACT_LEVER, PM_TABLE_VALUE, 0, 1}, {PM_CONTACT_FROM, PM_TABLE_VALUE, 0, 1},
+        {PM_CONTACT_TO, PM_TABLE_VALUE, 0, 1})},
+    [PM_TABLE_JOINT] = {COUNTED({PM_JOINT_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
+                                {PM_JOINT_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1},
+                                {PM_JOINT_VALUE_2, PM_TABLE_VALUE, 0, 1})},
+    [PM_TABLE_MEASURE] = {COUNTED(
+        {PM_MEASURE_IN, PM_TABLE_BODY, PM_GROUND, 1}, {PM_MEASURE_ON, PM_TABLE_BODY, PM_GROUND, 1},
+        {PM_MEASURE_ABOUT, PM_TABLE_POINT, 0, 1}, {PM_MEASURE_VALUE, PM_TABLE_VALUE, 0, 1})},
+    [PM_TABLE_START] = {COUNTED({PM_START_MEASURE, PM_TABLE_MEASURE, 0, 0},
+                                {PM_START_VALUE, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_TRIGGER] = {COUNTED({PM_TRIGGER_EVENT, PM_TABLE_EVENT, 0, 0},
+                                  {PM_TRIGGER_PROGRAM, PM_TABLE_PROGRAM, 0, 1})},
+    [PM_TABLE_UNTIL] = {COUNTED({PM_UNTIL_EVENT, PM_TABLE_EVENT, 0, 0})},
+    [PM_TABLE_ASK] = {COUNTED(
+        {PM_ASK_PROGRAM, PM_TABLE_PROGRAM, 0, 0}, {PM_ASK_EVENT_INDEX, PM_TABLE_EVENT, 0, 1},
+        {PM_ASK_PROGRAM_2, PM_TABLE_PROGRAM, 0, 1}, {PM_ASK_FIRST_VALUE, PM_TABLE_VALUE, 0, 1})},
+    [PM_TABLE_SETTING] = {COUNTED(
+        {PM_SETTING_GRAVITY_X, PM_TABLE_VALUE, 0, 0}, {PM_SETTING_GRAVITY_Y, PM_TABLE_VALUE, 0, 0},
+        {PM_SETTING_ACCURACY, PM_TABLE_VALUE, 0, 0}, {PM_SETTING_MAX_TIME, PM_TABLE_VALUE, 0, 1},
+        {PM_SETTING_ASSEMBLY, PM_TABLE_VALUE, 0, 0}, {PM_SETTING_MAX_CPU, PM_TABLE_VALUE, 0, 1},
+        {PM_SETTING_EXPONENT, PM_TABLE_VALUE, 0, 0}, {PM_SETTING_NUDGE, PM_TABLE_PROGRAM, 0, 1})},
+    [PM_TABLE_FIND] = {COUNTED({PM_FIND_PROGRAM, PM_TABLE_PROGRAM, 0, 1})},
+    [PM_TABLE_VARY] = {COUNTED({PM_VARY_LOW, PM_TABLE_VALUE, 0, 0}, {PM_VARY_HIGH, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_CONDITION] = {COUNTED({PM_CONDITION_PROGRAM, PM_TABLE_PROGRAM, 0, 0})},
+    [PM_TABLE_SPIN] = {COUNTED({PM_SPIN_X, PM_TABLE_VALUE, 0, 0}, {PM_SPIN_Y, PM_TABLE_VALUE, 0, 0},
+                               {PM_SPIN_ANGLE, PM_TABLE_VALUE, 0, 0}, {PM_SPIN_INERTIA, PM_TABLE_VALUE, 0, 0},
+                               {PM_SPIN_OMEGA, PM_TABLE_VALUE, 0, 0},
+                               {PM_SPIN_COUPLE, PM_TABLE_PROGRAM, 0, 1})},
+    [PM_TABLE_SECOND] = {COUNTED({PM_SECOND_X, PM_TABLE_VALUE, 0, 0}, {PM_SECOND_Y, PM_TABLE_VALUE, 0, 0},
+                                 {PM_SECOND_Z, PM_TABLE_VALUE, 0, 0})},
+    [PM_TABLE_ACTION] = {COUNTED({PM_ACTION_EVENT, PM_TABLE_EVENT, 0, 1},
+                                 {PM_ACTION_PROGRAM_X, PM_TABLE_PROGRAM, 0, 1},
+                                 {PM_ACTION_PROGRAM_Y, PM_TABLE_PROGRAM, 0, 1})},
+    [PM_TABLE_READING] = {COUNTED({PM_READING_EVENT, PM_TABLE_EVENT, 0, 0},
+                                  {PM_READING_TABLE, PM_TABLE_PIECEWISE, 0, 0},
+                                  {PM_READING_PROGRAM, PM_TABLE_PROGRAM, 0, 0})},
 };
+#undef COUNTED
 
 /* The tables of its partners, by kind. */
 static const int contact_partner[PM_CONTACT_KINDS][2] = {
@@ -129,15 +119,16 @@ int pm_reference_in_range(const pm_model *m, int of, int index)
     return index >= (of == PM_TABLE_BODY ? PM_GROUND : 0) && index < m->rows[of];
 }
 
-static int check_ranges(const pm_model *m, pm_where *where)
+static int check_ranges(const pm_model *m, int table, pm_where *where)
 {
-    for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++) {
-        const pm_range *x = &ranges[r];
-        for (int i = 0; i < m->rows[x->table]; i++) {
-            const int index = pm_model_row(m, x->table, i, pm_reference_columns[x->table])[x->column];
+    for (int i = 0; i < m->rows[table]; i++) {
+        const int32_t *e = pm_model_row(m, table, i, pm_reference_columns[table]);
+        for (int k = 0; k < ranges[table].count; k++) {
+            const pm_range *x = &ranges[table].range[k];
+            const int index = e[x->column];
             if (index == PM_NONE && x->none_allowed) continue;
             if (index < x->low || index >= m->rows[x->of])
-                return pm_bad_table(where, x->table, i, index, m->rows[x->of]);
+                return pm_bad_table(where, table, i, index, m->rows[x->of]);
         }
     }
     return PM_OK;
@@ -202,7 +193,8 @@ static int check_elements(const pm_model *m, int table, int kinds, pm_refers *re
 
 int pm_reference_check(const pm_model *m, pm_where *where)
 {
-    int status = check_ranges(m, where);
+    int status = PM_OK;
+    for (int table = 0; !status && table < PM_TABLES; table++) status = check_ranges(m, table, where);
     if (!status) status = check_elements(m, PM_TABLE_JOINT, PM_JOINT_KINDS, of_joint, where);
     if (!status) status = check_elements(m, PM_TABLE_CONTACT, PM_CONTACT_KINDS, of_contact, where);
     if (!status) status = check_elements(m, PM_TABLE_FORCE, PM_FORCE_KINDS, of_force, where);
@@ -266,9 +258,9 @@ int pm_reference_of(const pm_model *m, int table, int row, pm_reference out[PM_R
     const int32_t *e = pm_model_row(m, table, row, pm_reference_columns[table]);
     pm_reference all[PM_REFERENCES];
     int most = by_kind(table, e, all), n = 0;
-    for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++)
-        if (ranges[r].table == table)
-            all[most++] = (pm_reference){.column = ranges[r].column, .of = ranges[r].of};
+    for (int k = 0; k < ranges[table].count; k++)
+        all[most++] =
+            (pm_reference){.column = ranges[table].range[k].column, .of = ranges[table].range[k].of};
     for (int i = 0; i < most; i++) {
         all[i].index = e[all[i].column];
         if (all[i].index >= 0 && all[i].index < m->rows[all[i].of]) out[n++] = all[i];

@@ -6,6 +6,7 @@
 #include "state/evidence.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -109,12 +110,27 @@ static void thin_out(pm_evidence_log *log)
     log->n = n;
 }
 
+/* Whether one more decision finds room; without memory the log is as good as full. */
+static int has_room(pm_evidence_log *log)
+{
+    if (log->n < log->room) return 1;
+    if (log->room == PM_DECISIONS) return 0;
+    const int room = log->room ? 2 * log->room : PM_DECISIONS_FEW;
+    pm_evidence_decision *const entry = realloc(log->entry, (size_t)room * sizeof *entry);
+    if (!entry) return 0;
+    log->entry = entry;
+    log->room = room;
+    return 1;
+}
+
+void pm_evidence_free_log(void *log) { free(((pm_evidence_log *)log)->entry); }
+
 void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision)
 {
     pm_evidence_log *log = &evidence->present->log;
-    while (log->n == PM_DECISIONS && log->instant % log->stride == 0 && log->stride <= log->instant)
-        thin_out(log);
-    if (log->n == PM_DECISIONS || log->instant % log->stride != 0) return;
+    if (log->instant % log->stride != 0) return;
+    while (!has_room(log) && log->instant % log->stride == 0 && log->stride <= log->instant) thin_out(log);
+    if (log->n == log->room || log->instant % log->stride != 0) return;
     log->entry[log->n] = *decision;
     log->entry[log->n].instant = log->instant;
     log->entry[log->n++].history = log->history;

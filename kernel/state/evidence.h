@@ -47,13 +47,14 @@ typedef struct pm_evidence_decision {
 } pm_evidence_decision;
 
 typedef struct pm_evidence_log {
-    pm_evidence_decision *entry; /* [PM_DECISIONS] */
-    int n;
+    pm_evidence_decision *entry; /* [n of room], its own; no room: PM_DECISIONS at most */
+    int n, room;
     int32_t instant, stride; /* every stride-th instant is kept: the log never grows */
     uint32_t history;
 } pm_evidence_log;
 
 #define PM_DECISIONS 4096 /* kept of a pass */
+#define PM_DECISIONS_FEW 32 /* there is room for so many first: most scenes have fewer */
 
 /* One pass of a case and what came of it. */
 typedef struct pm_pass {
@@ -91,6 +92,8 @@ typedef struct pm_closest {
 
 /* Nothing is known of the errors and decisions of the run that begins. */
 void pm_evidence_begin(const pm_model *model, pm_evidence *evidence);
+/* Of a log that nobody adds to any more. */
+void pm_evidence_free_log(void *log);
 /* The tolerance of integration in the present pass. */
 double pm_evidence_tolerance(const pm_workspace *w);
 /* Whether a route that takes a state inside a step from its begin takes it in two halves: a phase that one step covers would

@@ -30,15 +30,10 @@
 #include "study/find.h"
 #include "study/judge.h"
 
-/* The logs are long and mostly stay empty: nobody writes zeros into them. */
 static int create_logs(pm_workspace *w)
 {
-    if (!PM_SETTING(w->model, PM_SETTING_ESTIMATE)) return PM_OK;
-    for (int i = 0; i < 3; i++) {
-        pm_evidence_decision *const entry = malloc(PM_DECISIONS * sizeof *entry);
-        if (pm_arena_keep(&w->memory, entry, free)) return PM_NO_MEMORY;
-        w->accuracy->pass[i].log.entry = entry;
-    }
+    for (int i = 0; i < 3; i++)
+        if (pm_arena_keep(&w->memory, &w->accuracy->pass[i].log, pm_evidence_free_log)) return PM_NO_MEMORY;
     return PM_OK;
 }
 
