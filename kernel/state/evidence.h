@@ -53,7 +53,7 @@ typedef struct pm_evidence_log {
     uint32_t history;
 } pm_evidence_log;
 
-#define PM_DECISIONS 4096 /* kept of a pass */
+#define PM_DECISIONS 4096   /* kept of a pass */
 #define PM_DECISIONS_FEW 32 /* there is room for so many first: most scenes have fewer */
 
 /* One pass of a case and what came of it. */
