@@ -300,6 +300,28 @@ static void cut_off_without_a_ratio(void)
     CHECK(compared > 20);
 }
 
+/* A ball bounces on a plank that bounces on the floor, until neither does: each is struck without end, and both rest at one
+ * instant, in every pass. */
+static void rest_together(double e_floor, double e_ball, double mass, double height)
+{
+    scene *s = estimating(PM_ROUTE_AUTO);
+    const int plank = scene_body(s, 1, 1 / 12., 0, 0.3, 0), ball = scene_body(s, mass, 0, 0, 0.3 + height, 0);
+    const int middle = scene_point(s, plank, 0, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, middle, 0), scene_floor(s, 0), 0, e_floor,
+                  PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0),
+                  scene_line(s, middle, 0), 0, e_ball, PM_FRICTION_SMOOTH, 0);
+    int ask[2];
+    for (int i = 0; i < 2; i++)
+        ask[i] = scene_ask_event(s, scene_read(s, scene_time(s)),
+                                 scene_on(s, PM_TRIGGER_REST, i == 0 ? plank : ball), 1, 0);
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[ask[0]], s->out[ask[1]]);
+    CHECK(s->error[ask[0]] < 1e-5);
+    scene_free(s);
+}
+
 /* A particle between four walls and a disk goes another way in each pass after some fifty blows: where the numbers of blows differ,
  * and the answers, the run is undecided, however clear each blow by itself was. */
 static void billiards(void)
@@ -368,5 +390,8 @@ int main(void)
     last_bounces();
     ends_where_it_settles();
     cut_off_without_a_ratio();
+    rest_together(0.5, 0.1, 1, 0.2);
+    rest_together(0.5, 0.1, 0.1, 0.2);
+    rest_together(0.5, 0.1, 0.5, 0.2);
     return check_failures();
 }
