@@ -348,7 +348,7 @@ FAULTS = [
         "held: a foot that only is held drives",
         "impact/impact_together.c",
         "if (at >= 0 && w->saddle.rhs[at] < 0)",
-        "if (0)",
+        "if (at >= 0 && w->saddle.rhs[at] < -INFINITY)",
     ),
     Fault(
         "held: friction turns a slip back",
@@ -669,7 +669,7 @@ FAULTS = [
         "problem: loads of one way to push for all of them",
         "impact/contact_problem.c",
         "if (is_same) add_loads(x, unit, &found);",
-        "",
+        "if (is_same && 0) add_loads(x, unit, &found);",
     ),
     Fault(
         "sweeps: a contact that slides has the friction of another sense",

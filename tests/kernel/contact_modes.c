@@ -333,6 +333,9 @@ static void feet_that_are_held_do_not_drive(void)
                 }
     double energy;
     NEAR(held_while_it_slips(1.5, 0.9, 1.2e-6, &energy), 0, 1e-15); /* the blow leaves no slip */
+    /* M (v' - v) = J^T P with both feet held, friction at the right one alone, which pushes */
+    const double pushes = (0.25e-6 + 10 / 12. * 1e-6) / (1 - 1.5 * 0.3);
+    NEAR(held_while_it_slips(1.5, 0.3, 4e-6, &energy), 4e-6 + 1.5e-6 - 0.3 * pushes, 1e-11);
 }
 
 /* ---- a rod that comes to where friction draws it in ---- */
