@@ -149,27 +149,27 @@ static double slack(const pm_contact_problem *x)
     return PM_PROBLEM_TIE * largest;
 }
 
-static int contact_holds(const pm_contact_problem *x, int i, double slack)
+/* By how much it misses what the laws ask of it in the mode that is tried. */
+static double miss(const pm_contact_problem *x, int i)
 {
     const pm_contact_problem_contact *c = &x->contact[i];
+    const int slides = sense(x->trial[i]);
     const double load = x->p[2 * i], friction = x->p[2 * i + 1], *a = x->a + 2 * i;
-    if (a[0] < -slack) return 0;
-    if (x->trial[i] == PM_OPEN) return 1;
-    if (load < -slack || a[0] > slack) return 0;
-    if (sense(x->trial[i])) return c->slips || sense(x->trial[i]) * a[1] >= -slack;
-    if (pm_contact_problem_is_smooth(c)) return 1;
-    if (fabs(a[1]) > slack && x->scale[2 * i + 1] > 0) return 0;
-    return c->friction == PM_FRICTION_ROUGH ||
-           fabs(friction) <= pm_contact_problem_friction(x, i, c->hold) * load + slack;
+    if (x->trial[i] == PM_OPEN) return -a[0];
+    const double normal = fmax(fabs(a[0]), -load);
+    if (slides) return c->slips ? normal : fmax(normal, -slides * a[1]);
+    if (pm_contact_problem_is_smooth(c)) return normal;
+    const double held = x->scale[2 * i + 1] > 0 ? fmax(normal, fabs(a[1])) : normal;
+    if (c->friction == PM_FRICTION_ROUGH) return held;
+    return fmax(held, fabs(friction) - pm_contact_problem_friction(x, i, c->hold) * load);
 }
 
 int pm_contact_problem_loads_hold(pm_contact_problem *x)
 {
     rates(x);
-    const double tie = slack(x);
-    for (int i = 0; i < x->n; i++)
-        if (!contact_holds(x, i, tie)) return 0;
-    return 1;
+    x->missed = 0;
+    for (int i = 0; i < x->n; i++) x->missed = fmax(x->missed, miss(x, i));
+    return x->missed <= slack(x);
 }
 
 int pm_contact_problem_trial_holds(pm_contact_problem *x)
@@ -178,7 +178,13 @@ int pm_contact_problem_trial_holds(pm_contact_problem *x)
 }
 
 /* ---- what was found ---- */
-/* The mode of the motion; in a tie what the contact prefers. */
+/* What rounding makes of rates and loads; others may be as large as the tie where contacts nearly lock. */
+static double rounding(const pm_contact_problem *x) { return PM_PROBLEM_EXACT / PM_PROBLEM_TIE * slack(x); }
+
+static int is_exact(const pm_contact_problem *x) { return x->missed <= rounding(x); }
+
+/* The mode of the motion; in a tie what the contact prefers.  What slides by more than rounding does not stick: there it might
+ * depend on others that do. */
 static int mode_of_motion(const pm_contact_problem *x, int i, double tie)
 {
     const pm_contact_problem_contact *c = &x->contact[i];
@@ -186,7 +192,8 @@ static int mode_of_motion(const pm_contact_problem *x, int i, double tie)
     if (a[0] > tie || (c->prefers == PM_OPEN && x->p[2 * i] <= tie)) return PM_OPEN;
     if (pm_contact_problem_is_smooth(c)) return PM_SMOOTH;
     if (c->slips) return c->slips > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-    if (fabs(a[1]) > tie) return a[1] > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    const double none = sense(x->trial[i]) && is_exact(x) ? rounding(x) : tie;
+    if (fabs(a[1]) > none) return a[1] > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
     return sense(c->prefers) && sense(x->trial[i]) == sense(c->prefers) ? c->prefers : PM_STICK;
 }
 
@@ -262,23 +269,35 @@ static void add_loads(pm_contact_problem *x, double unit, int *count)
     ++*count;
 }
 
+/* Of motions that differ those with the highest rank count: what sticks by law, then what obeys the laws to rounding.  Next to
+ * a place where contacts lock others obey them within the tie, too, but for what the distance from there tells. */
+static int rank(const pm_contact_problem *x) { return 2 * sticks_by_law(x) + is_exact(x); }
+
+/* Motions that all are known to the tie alone may be one; those of many contacts are not counted, lest Lemke's method, which finds
+ * one, tells otherwise. */
+static void count_motion(pm_contact_problem *x, int is_first, int other)
+{
+    x->nmotion = is_first || !is_exact(x) || x->n > x->counted ? 1 : 2;
+    x->differs = x->nmotion == 1 ? PM_NONE : other;
+}
+
 static void enumerate(pm_contact_problem *x, double unit)
 {
-    int by_law = 0, found = 0;
+    int best = PM_NONE, found = 0;
     double slowest = 0;
+    x->nmotion = 0;
     for (int i = 0; i < x->n; i++) x->trial[i] = next_mode(x, i, PM_NONE);
     do {
         if (!pm_contact_problem_trial_holds(x)) continue;
-        const int law = sticks_by_law(x),
-                  other =
-                      x->nmotion > 0 ? difference(x, PM_PROBLEM_SAME / PM_PROBLEM_TIE * slack(x)) : PM_NONE;
-        const int first = x->nmotion == 0 || (law > by_law && other != PM_NONE);
-        if (!first && other == PM_NONE) add_loads(x, unit, &found);
-        if (!first && (other == PM_NONE || law < by_law)) continue;
-        x->nmotion = first ? 1 : 2;
-        x->differs = other;
-        if (!first && speed_left(x) >= slowest) continue;
-        by_law = law;
+        const double same = PM_PROBLEM_SAME / PM_PROBLEM_TIE * slack(x);
+        const int now = rank(x), is_first = now > best,
+                  other = x->nmotion > 0 ? difference(x, same) : PM_NONE,
+                  is_same = x->nmotion > 0 && other == PM_NONE;
+        if (is_same) add_loads(x, unit, &found);
+        if (is_same ? !is_first : now < best) continue;
+        count_motion(x, is_first, other);
+        best = now;
+        if (is_same || (!is_first && speed_left(x) >= slowest)) continue;
         slowest = speed_left(x);
         found = x->is_sound;
         keep(x, unit);
@@ -291,7 +310,7 @@ int pm_contact_problem_solve(pm_contact_problem *x)
     const double unit = scale_problem(x);
     x->nmotion = 0;
     x->differs = PM_NONE;
-    if (x->n > x->counted && pm_contact_problem_lemke(x)) {
+    if (x->n > x->counted && pm_contact_problem_lemke(x) && (x->n > x->tried || is_exact(x))) {
         x->nmotion = 1;
         keep(x, unit);
     } else if (x->n <= x->tried) {

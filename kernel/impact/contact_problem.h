@@ -40,7 +40,8 @@ typedef struct pm_contact_problem {
     /* scratch, in units of the problem's own */
     double *scaled, *scale, *b, *p, *a, *best, *system, *right, *lemke;
     int *trial, *pivot, *basis;
-    int is_sound; /* the equations of the trial are far from singular */
+    int is_sound;  /* the equations of the trial are far from singular */
+    double missed; /* by how much its loads miss what the laws ask for */
 } pm_contact_problem;
 
 /* Memory for `most` contacts, which the arena owns; PM_NO_MEMORY. */

@@ -265,14 +265,49 @@ int pm_impact_is_slow(const pm_workspace *w, const pm_blow *b)
     return 0;
 }
 
-/* The mode in which a contact is held: what slips faster than the blow is goes on slipping. */
+static double slip_left(const pm_workspace *w, const pm_blow *b, int slot)
+{
+    const pm_constraint tangent = pm_contact_modes_tangent(&w->frame, &w->state, slot);
+    return pm_constraint_times(&w->frame, &tangent, b->after) - tangent.rate;
+}
+
+/* The mode in which a contact is held: what slips faster than the blow is, and slips after it, goes on slipping. */
 static int held_mode(const pm_workspace *w, const pm_blow *b, int slot)
 {
     const int contact = pm_contact_of_slot(w->model, slot);
     const double slip = pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
+    const double left = slip_left(w, b, slot);
     const int mode = pm_impact_trial_mode(&w->frame, slot);
     if (mode != PM_STICK || pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH) return mode;
-    return fabs(slip) <= b->approach ? PM_STICK : slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+    if (fabs(slip) <= b->approach || fabs(left) <= pm_contact_speed(&w->frame)) return PM_STICK;
+    return left > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
+}
+
+/* Friction goes with what pushes: where a contact is held against its parting it has none; and it ends a slip, which it does not
+ * turn back.  1 if any is mended so. */
+static int mend_held(const pm_workspace *w, pm_blow *b)
+{
+    int mended = 0;
+    for (int i = 0; i < w->model->nslot; i++) {
+        const int at = w->active.slot_normal[i], forward = b->trial[i] == PM_SLIDE_FORWARD;
+        if (!b->held[i] || !pm_contact_modes_slides(b->trial[i])) continue;
+        const double slip = slip_left(w, b, i);
+        if (at >= 0 && w->saddle.rhs[at] < 0)
+            b->trial[i] = PM_SMOOTH;
+        else if ((forward ? slip : -slip) < -pm_contact_speed(&w->frame))
+            b->trial[i] = PM_STICK;
+        mended |= !pm_contact_modes_slides(b->trial[i]);
+    }
+    return mended;
+}
+
+/* Each is mended once. */
+static int solve_held(pm_workspace *w, pm_blow *b)
+{
+    int status;
+    do status = pm_impact_trial_solve(w, b);
+    while (!status && mend_held(w, b));
+    return status;
 }
 
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
@@ -287,7 +322,7 @@ int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
     }
     b->equations = 1;
     b->followed = b->several = 0;
-    const int status = pm_impact_trial_solve(w, b);
+    const int status = solve_held(w, b);
     if (!status) pm_impact_end_record(w);
     return status;
 }

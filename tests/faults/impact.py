@@ -329,8 +329,38 @@ FAULTS = [
     Fault(
         "blow: reversed slip",
         "impact/contact_problem.c",
-        "sense(x->trial[i]) * a[1] >= -slack",
-        "sense(x->trial[i]) * a[1] <= slack",
+        "fmax(normal, -slides * a[1])",
+        "fmax(normal, slides * a[1])",
+    ),
+    Fault(
+        "problem: what nearly obeys goes with what does",
+        "impact/contact_problem.c",
+        "return 2 * sticks_by_law(x) + is_exact(x);",
+        "return 2 * sticks_by_law(x);",
+    ),
+    Fault(
+        "problem: what hardly slips sticks",
+        "impact/contact_problem.c",
+        "sense(x->trial[i]) && is_exact(x) ? rounding(x) : tie",
+        "tie",
+    ),
+    Fault(
+        "held: a foot that only is held drives",
+        "impact/impact_together.c",
+        "if (at >= 0 && w->saddle.rhs[at] < 0)",
+        "if (at >= 0 && w->saddle.rhs[at] < -INFINITY)",
+    ),
+    Fault(
+        "held: friction turns a slip back",
+        "impact/impact_together.c",
+        "else if ((forward ? slip : -slip) < -pm_contact_speed(&w->frame))",
+        "else if (0 && forward && slip > 0)",
+    ),
+    Fault(
+        "held: the slip that a blow ends goes on",
+        "impact/impact_together.c",
+        "|| fabs(left) <= pm_contact_speed(&w->frame)) return",
+        ") return",
     ),
     Fault(
         "blow: row of a resting contact dropped",
@@ -341,8 +371,8 @@ FAULTS = [
     Fault(
         "blow: pulling contacts stay",
         "impact/contact_problem.c",
-        "load < -slack ||",
-        "",
+        "fmax(fabs(a[0]), -load)",
+        "fabs(a[0])",
     ),
     Fault(
         "blow: friction beyond its bound",
@@ -419,12 +449,17 @@ FAULTS = [
         "mu * x->scale[2 * i] / x->scale[2 * i + 1] : 0",
         "mu : 0",
     ),
-    Fault("problem: what parts approaches", "impact/contact_problem.c", "if (a[0] < -slack) return 0;", ""),
+    Fault(
+        "problem: what parts approaches",
+        "impact/contact_problem.c",
+        "PM_OPEN) return -a[0];",
+        "PM_OPEN) return 0;",
+    ),
     Fault(
         "problem: motions are not told apart",
         "impact/contact_problem.c",
-        "if (!first && (other == PM_NONE || law < by_law)) continue;",
-        "if (!first) continue;",
+        "if (is_same ? !is_first : now < best) continue;",
+        "if (!is_first) continue;",
     ),
     Fault(
         "problem: friction of Lemke's method on one side only",
@@ -633,8 +668,8 @@ FAULTS = [
     Fault(
         "problem: loads of one way to push for all of them",
         "impact/contact_problem.c",
-        "if (!first && other == PM_NONE) add_loads(x, unit, &found);",
-        "",
+        "if (is_same) add_loads(x, unit, &found);",
+        "if (is_same && 0) add_loads(x, unit, &found);",
     ),
     Fault(
         "sweeps: a contact that slides has the friction of another sense",
@@ -699,8 +734,8 @@ FAULTS = [
     Fault(
         "problem: a slip has the name of the other way",
         "impact/contact_problem.c",
-        "if (fabs(a[1]) > tie) return a[1] > 0 ? PM_SLIDE_FORWARD",
-        "if (fabs(a[1]) > tie) return a[1] < 0 ? PM_SLIDE_FORWARD",
+        "if (fabs(a[1]) > none) return a[1] > 0 ? PM_SLIDE_FORWARD",
+        "if (fabs(a[1]) > none) return a[1] < 0 ? PM_SLIDE_FORWARD",
     ),
     Fault(
         "problem: what may stick does not go before what slides",

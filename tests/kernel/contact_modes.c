@@ -295,6 +295,49 @@ static void rocks_to_rest(int route, double tilt, double half_width, double half
     scene_free(s);
 }
 
+/* Its left foot rests and slips so fast, its right one strikes at 1e-6 m/s: too slow to clatter, both feet are held.  The slip that
+ * is left, and the energy. */
+static double held_while_it_slips(double half_height, double mu, double slip, double *energy)
+{
+    scene *s = scene_create();
+    const double omega = -1e-6, inertia = (1 + 4 * half_height * half_height) / 12;
+    const int b = scene_body(s, 1, inertia, 0, half_height, 0);
+    int foot[2];
+    for (int i = 0; i < 2; i++) {
+        foot[i] = scene_point(s, b, i - 0.5, -half_height);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, foot[i], 0), scene_floor(s, 0), 0, 0.3,
+                      PM_FRICTION_COULOMB, mu);
+    }
+    scene_start_velocity(s, foot[0], slip, 0);
+    scene_start_omega(s, b, omega);
+    scene_until_time(s, 1e-13);
+    const int ask = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, foot[0], PM_PART_X));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    const double left = s->out[ask], before = slip - omega * half_height;
+    *energy = left * left / (before * before + 0.25 * omega * omega + inertia * omega * omega);
+    scene_free(s);
+    return left;
+}
+
+/* Friction may end a slip: it does not turn it back, and a foot that only is held from parting has none that could drive it. */
+static void feet_that_are_held_do_not_drive(void)
+{
+    for (double h = 0.1; h < 4; h *= 1.5)
+        for (double mu = 0.3; mu < 1; mu += 0.2)
+            for (double slip = 0.3e-6; slip < 5e-6; slip *= 1.4)
+                for (int side = -1; side <= 1; side += 2) {
+                    double energy;
+                    const double left = held_while_it_slips(h, mu, side * slip, &energy);
+                    CHECK(side * left > -1e-15);
+                    CHECK(energy < 1 + 1e-9);
+                }
+    double energy;
+    NEAR(held_while_it_slips(1.5, 0.9, 1.2e-6, &energy), 0, 1e-15); /* the blow leaves no slip */
+    /* M (v' - v) = J^T P with both feet held, friction at the right one alone, which pushes */
+    const double pushes = (0.25e-6 + 10 / 12. * 1e-6) / (1 - 1.5 * 0.3);
+    NEAR(held_while_it_slips(1.5, 0.3, 4e-6, &energy), 4e-6 + 1.5e-6 - 0.3 * pushes, 1e-11);
+}
+
 /* ---- a rod that comes to where friction draws it in ---- */
 /* It parts, or has no motion there; contacts that change in turn at one time are no answer. */
 static void comes_to_be_drawn(int route, double degrees, int side)
@@ -333,6 +376,7 @@ int main(void)
         for (double degrees = 36; degrees < 38; degrees += 0.125)
             comes_to_be_drawn(route[k % 3], degrees, side);
     }
+    feet_that_are_held_do_not_drive();
     for (int k = 0; k < 4; k++) slides_on_a_box(k % 2 ? 1 : -1, k / 2);
     return check_failures();
 }

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "planemotion.h"
+#include "state/state.h"
 
 #define MOST 8
 #define BODIES 4
@@ -182,6 +183,50 @@ static void laws(pm_contact_problem *p, int family, double friction, double rest
         EQUAL(t.several, 0); /* without friction the motion is the least of a convex function */
 }
 
+/* A box lies flat on a wall, but for an angle; its upper corner above the lower one, on another wall: flat, that one cannot slip.
+ * Pressed into the gutter by (-9, -4, 0) without what else it lies on. */
+static void corner_over_corner(pm_contact_problem *p, double angle, int turned)
+{
+    const double c = cos(angle), s = sin(angle), walls[2] = {0, -1.738};
+    problem x;
+    memset(&x, 0, sizeof x);
+    x.inverse[0] = x.inverse[1] = 1;
+    x.inverse[2] = 12 / (0.3 * 0.3 + 0.056 * 0.056);
+    x.velocity[0] = -8.968;
+    x.velocity[1] = -3.976;
+    for (int i = 0; i < 2; i++) {
+        const int k = turned ? 1 - i : i;
+        const double y = k ? 0.028 : -0.028, r[2] = {-0.15 * c - y * s, -0.15 * s + y * c};
+        add_contact(&x, 0, -1, r, r, walls[k]);
+    }
+    pose(&x, 0.05, 0, p);
+}
+
+/* Next to the place where contacts lock one motion obeys the laws to rounding, and is the motion: that the corner which hardly
+ * slips rubs against its slip tells it, on either side of that place.  There itself each is one. */
+static void next_to_a_lock(pm_contact_problem *p)
+{
+    double slow[2];
+    p->counted = 4;
+    p->tried = 7;
+    for (int turned = 0; turned < 2; turned++)
+        for (int side = 0; side < 2; side++)
+            for (double angle = 1e-6; angle > 1e-11; angle /= 10) {
+                corner_over_corner(p, side ? -angle : angle, turned);
+                EQUAL(pm_contact_problem_solve(p), 1);
+                const int over = turned ? 0 : 1;
+                CHECK(p->load[2 * over] > 0);
+                CHECK(p->load[2 * over + 1] * p->rate[2 * over + 1] < 0);
+                EQUAL(p->mode[over], p->rate[2 * over + 1] > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD);
+                NEAR(fabs(p->load[2 * over + 1]), 0.05 * p->load[2 * over], 1e-9);
+                if (angle > 1e-7 && !turned) slow[side] = p->rate[2 * (1 - over) + 1];
+                NEAR(p->rate[2 * (1 - over) + 1], slow[side], 1e-4);
+            }
+    CHECK(fabs(slow[0] - slow[1]) > 1e-3);
+    corner_over_corner(p, 0, 0);
+    EQUAL(pm_contact_problem_solve(p), 2);
+}
+
 int main(void)
 {
     pm_arena arena = {0};
@@ -191,6 +236,7 @@ int main(void)
     for (int family = 0; family < 4; family++)
         for (int k = 0; k < 3; k++)
             for (int e = 0; e < 2; e++) laws(&p, family, k == 0 ? 0 : k == 1 ? 0.3 : 1.2, 0.6 * e);
+    next_to_a_lock(&p);
     pm_arena_free(&arena);
     return check_failures();
 }

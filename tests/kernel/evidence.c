@@ -258,6 +258,70 @@ static void ends_where_it_settles(void)
     CHECK(compared > 10);
 }
 
+/* A crate that clatters as it slides to rest, beside what flies so fast, if anything does: where it comes to, with the error. */
+static double slides_to_rest(const double x[4], double fast, double *error)
+{
+    scene *s = estimating(PM_ROUTE_RK);
+    const int b = scene_body(s, 1, (x[0] * x[0] + 0.04) / 12, 0, 0.5, x[1]), c = scene_point(s, b, 0, 0);
+    const int floor = scene_floor(s, 0);
+    for (int k = 0; k < 4; k++) {
+        const int corner = scene_point(s, b, (k % 3 ? 0.5 : -0.5) * x[0], k < 2 ? -0.1 : 0.1);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, corner, 0), floor, 0, x[2], PM_FRICTION_COULOMB,
+                      0.3);
+    }
+    if (fast > 0) {
+        const int other = scene_point(s, scene_body(s, 1, 0.1, 0, 9, 0), 0, 0);
+        scene_start_velocity(s, other, fast, 0);
+        scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, other, PM_PART_X));
+    }
+    scene_start_velocity(s, c, x[3], 0);
+    const int place = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, c, PM_PART_X));
+    scene_until_time(s, 4);
+    const int status = scene_run(s, NULL);
+    const double found = status == PM_OK ? s->out[place] : NAN;
+    *error = s->error[place];
+    scene_free(s);
+    return found;
+}
+
+/* What a series loses where it is cut off a coarse run shows by ending it earlier; beside what is fast it is cut off earlier. */
+static void cut_off_without_a_ratio(void)
+{
+    int compared = 0;
+    for (int i = 0; i < 30; i++) {
+        const double x[4] = {check_random(0.1, 0.5), check_random(-1, 1), check_random(0.1, 0.6),
+                             check_random(1, 4)};
+        double error, error_alone;
+        const double beside = slides_to_rest(x, 100, &error), alone = slides_to_rest(x, 0, &error_alone);
+        if (isnan(beside) || isnan(alone)) continue;
+        compared++;
+        CHECK(fabs(beside - alone) <= 5 * (error + error_alone));
+    }
+    CHECK(compared > 20);
+}
+
+/* A ball bounces on a plank that bounces on the floor, until neither does: each is struck without end, and both rest at one
+ * instant, in every pass. */
+static void rest_together(double e_floor, double e_ball, double mass, double height)
+{
+    scene *s = estimating(PM_ROUTE_AUTO);
+    const int plank = scene_body(s, 1, 1 / 12., 0, 0.3, 0), ball = scene_body(s, mass, 0, 0, 0.3 + height, 0);
+    const int middle = scene_point(s, plank, 0, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, middle, 0), scene_floor(s, 0), 0, e_floor,
+                  PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, ball, 0, 0), 0),
+                  scene_line(s, middle, 0), 0, e_ball, PM_FRICTION_SMOOTH, 0);
+    int ask[2];
+    for (int i = 0; i < 2; i++)
+        ask[i] = scene_ask_event(s, scene_read(s, scene_time(s)),
+                                 scene_on(s, PM_TRIGGER_REST, i == 0 ? plank : ball), 1, 0);
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[ask[0]], s->out[ask[1]]);
+    CHECK(s->error[ask[0]] < 1e-5);
+    scene_free(s);
+}
+
 /* A particle between four walls and a disk goes another way in each pass after some fifty blows: where the numbers of blows differ,
  * and the answers, the run is undecided, however clear each blow by itself was. */
 static void billiards(void)
@@ -325,5 +389,9 @@ int main(void)
     billiards();
     last_bounces();
     ends_where_it_settles();
+    cut_off_without_a_ratio();
+    rest_together(0.5, 0.1, 1, 0.2);
+    rest_together(0.5, 0.1, 0.1, 0.2);
+    rest_together(0.5, 0.1, 0.5, 0.2);
     return check_failures();
 }

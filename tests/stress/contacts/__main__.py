@@ -94,6 +94,8 @@ def throw_table(given: argparse.Namespace, console: Console) -> int:
         style = "red" if wrong or failed else None
         shown.add_row(kind, law, *counted, str(wrong), str(failed), took, style=style)
     console.print(shown)
+    for recount, n in sorted(Counter(row.recount for row in rows if row.recount).items()):
+        console.print(f"of what the laws leave open, by enumeration of all motions there, {recount}: {n}")
     for row in rows:
         if row.word != thrown.RIGHT:
             console.print(f"throw {row.number} ({row.kind}): {row.word}: {row.why}", markup=False)

@@ -66,7 +66,7 @@ def _share(x: Problem, modes: tuple[int, ...], listed: list[int], pace: Array) -
             of.append(i)
     load = np.zeros(len(x))
     if not loads:
-        return Share(np.zeros(3), load)
+        return Share(np.zeros(len(x.mass)), load)
     lever = np.array(loads).T / x.mass[:, None]
     a, wanted = np.array(rows) @ lever, np.array(values)
     size, _, rank, _ = np.linalg.lstsq(a, wanted, rcond=1e-10)

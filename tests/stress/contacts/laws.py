@@ -21,7 +21,10 @@ OPEN, STICK, FORWARD, BACKWARD = range(4)
 
 @dataclass(frozen=True)
 class Problem:
-    """`mass` [3]; `jacobian` [n, 2, 3]: normal and tangent; `friction`, `restitution` [n]; `before` [3]."""
+    """`mass` [3]; `jacobian` [n, 2, 3]: normal and tangent; `friction`, `restitution` [n]; `before` [3].
+
+    Of several bodies 3 for each of them.
+    """
 
     mass: Array
     jacobian: Array
@@ -137,19 +140,24 @@ def accelerations(x: Problem, v: Array) -> list[Array]:
     """All that the laws allow at velocities `v` under no forces but those of the contacts, by enumeration."""
     if np.abs(x.jacobian @ v).max() <= 10 * CLOSE * x.scale and abs(v[2]) <= CLOSE * abs(x.before[2]):
         return [np.zeros(3)]  # it rests, and nothing drives it
-    at = _rates_at(x, v)
+    return allowed(x, _rates_at(x, v))
+
+
+def allowed(x: Problem, at: Rates) -> list[Array]:
+    """All accelerations that the laws allow at these rates."""
     found: list[Array] = []
-    for modes in itertools.product((OPEN, STICK, FORWARD, BACKWARD), repeat=len(at.closed)):
-        if any(
-            s and m not in (OPEN, FORWARD if s > 0 else BACKWARD)
-            for s, m in zip(at.slides, modes, strict=True)
-        ):
-            continue
+    for modes in itertools.product(*(_modes_of(slides) for slides in at.slides)):
         a = _acceleration(x, at, modes)
         size = 1e-300 + float(np.abs(at.drift).max())
         if a is not None and all(np.abs(a - b).max() > 1e2 * CLOSE * size for b in found):
             found.append(a)
     return found
+
+
+def _modes_of(slides: int) -> tuple[int, ...]:
+    if slides:
+        return OPEN, FORWARD if slides > 0 else BACKWARD
+    return OPEN, STICK, FORWARD, BACKWARD
 
 
 def _acceleration(x: Problem, at: Rates, modes: tuple[int, ...]) -> Array | None:
@@ -168,7 +176,7 @@ def _acceleration(x: Problem, at: Rates, modes: tuple[int, ...]) -> Array | None
             values.append(-at.drift[i, 1])
         else:
             loads.append(x.along(i, 1 if mode == FORWARD else -1))
-    a = np.zeros(3)
+    a = np.zeros(len(x.mass))
     if loads:
         lever = np.array(loads).T / x.mass[:, None]
         wanted = np.array(values)

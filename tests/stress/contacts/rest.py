@@ -92,7 +92,7 @@ def _moving_before(throw: Throw) -> float:
     return sum(
         0.5
         * body.mass
-        * (body.velocity[0] ** 2 + body.velocity[1] ** 2 + _gyration2(body) * body.velocity[2] ** 2)
+        * (body.velocity[0] ** 2 + body.velocity[1] ** 2 + gyration2(body) * body.velocity[2] ** 2)
         for body in throw.bodies
     )
 
@@ -101,7 +101,7 @@ def _energy_before(throw: Throw) -> float:
     return _energy(throw, [body.pose for body in throw.bodies], _moving_before(throw))
 
 
-def _gyration2(body: Thrown) -> float:
+def gyration2(body: Thrown) -> float:
     if body.kind == "plate":
         return (body.size[0] ** 2 + body.size[1] ** 2) / 12
     return body.size[0] ** 2 / (12 if body.kind == "rod" else 2)

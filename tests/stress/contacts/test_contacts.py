@@ -7,6 +7,7 @@ import pytest
 
 from planemotion import _layout as layout
 from tests.stress.contacts import course, one_body, thrown
+from tests.stress.contacts.instants import CONFIRMED, REFUTED, Instant, going_on, last, recounted, touches
 from tests.stress.contacts.laws import Problem, accelerations, is_admissible, motions, obeys, one_contact
 from tests.stress.contacts.rest import faults
 from tests.stress.contacts.throws import Throw, Thrown, Wall, throw
@@ -169,6 +170,41 @@ def test_throws_that_failed_once(number: int, route: str) -> None:
 )
 def test_boxes_in_gutters_that_failed_once(number: int) -> None:
     assert thrown.become(number).word in ("ok", "not_unique")
+
+
+@pytest.mark.parametrize(
+    ("number", "mirrored", "turned"),
+    [
+        (500179, False, True),  # feet held as they clatter, whose friction drove them
+        (509146, True, False),  # dominoes that lock ever more nearly
+        (509492, True, False),
+    ],
+)
+def test_throws_that_the_order_or_the_mirror_decided(number: int, mirrored: bool, turned: bool) -> None:
+    one = throw(number).mirrored() if mirrored else throw(number)
+    ran = thrown.Ran(one.text(turned=turned), len(one.bodies))
+    assert ran.status == "ok", ran.why
+    assert faults(one, ran.poses, ran.kinetic) == []
+
+
+def test_motions_of_a_rod_on_one_foot_are_counted() -> None:
+    """Painleve: 1 + 3 cos (cos - mu sin) < 0; without rotation none goes on, with enough of it two do."""
+    half = 0.5 * np.exp(1j * np.radians(50))
+    for friction, omega, count in ((1.6, 0.0, 0), (1.6, 6.0, 2), (0.3, 0.0, 1)):
+        velocity = (-1 - omega * half.imag, omega * half.real, omega)  # the foot slides at -1 m/s
+        rod = Thrown("rod", (1.0,), 1, (half.real, half.imag, np.radians(50)), velocity)
+        alone = Throw("rod", (rod,), (Wall(),), (), friction, 0, "newton")
+        x = Instant(alone, np.array([rod.pose]), np.array([velocity]))
+        (foot,) = touches(x)
+        assert len(going_on(x, [foot], x.velocity.ravel())) == count
+
+
+@pytest.mark.parametrize(("number", "said"), [(714977, "not_unique"), (500039, "no_motion")])
+def test_what_theory_leaves_open_is_recounted(number: int, said: str) -> None:
+    row = thrown.become(number)
+    assert (row.word, row.recount) == (said, CONFIRMED)
+    here = last(throw(number))
+    assert recounted(here, "no_motion" if said == "not_unique" else "not_unique") == REFUTED
 
 
 def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:

@@ -9,11 +9,12 @@ from typing import NamedTuple
 
 import planemotion
 from planemotion.base.errors import SimulationError
+from tests.stress.contacts.instants import REFUTED, TOLD, last, recounted
 from tests.stress.contacts.rest import Pose, faults
 from tests.stress.contacts.throws import Throw, throw
 
 RIGHT, UNDECIDED = "ok", "undecided"
-# A blow that no motion obeys is checked by enumeration in verdict.py.
+# What the laws leave open is enumerated where a throw ends so (instants.py).
 OPEN = ("not_unique", "painleve", "no_motion", "alternates")
 BY_THEORY = (RIGHT, *OPEN, UNDECIDED)
 ROUTES = ("rk", "ida")
@@ -23,7 +24,10 @@ LEAST = 1e-9  # m, rad
 
 
 class Became(NamedTuple):
-    """What became of a throw, and why; `seconds` over all the ways in which it was run."""
+    """What became of a throw, and why; `seconds` over all the ways in which it was run.
+
+    `recount`: whether enumeration confirms what the laws leave open.
+    """
 
     number: int
     kind: str
@@ -31,6 +35,7 @@ class Became(NamedTuple):
     word: str
     why: str
     seconds: float
+    recount: str = ""
 
 
 class Ran:
@@ -74,7 +79,10 @@ def _differs(a: Ran, b: Ran, poses: list[Pose]) -> bool:
 def become(number: int) -> Became:
     thrown, begun = throw(number), time.process_time()
     word, why = _verdict(number, thrown)
-    return Became(number, thrown.kind, thrown.law, word, why, time.process_time() - begun)
+    recount = recounted(last(thrown), word) if word in TOLD else ""
+    if recount == REFUTED:
+        word = f"wrong: {word}"
+    return Became(number, thrown.kind, thrown.law, word, why, time.process_time() - begun, recount)
 
 
 def _verdict(number: int, thrown: Throw) -> tuple[str, str]:

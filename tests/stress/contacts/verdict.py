@@ -72,11 +72,11 @@ def _are(found: list[Array], why: str) -> bool:
 
 def _is_open_after(x: Problem, law: str, limited: bool, why: str) -> bool:
     """Whether no motion goes on from the blow, or several do."""
-    after = _left(x, law) if not limited else _left_by_half(x)
+    after = left(x, law) if not limited else _left_by_half(x)
     return after is not None and _are(accelerations(x, after), why)
 
 
-def _left(x: Problem, law: str) -> Array | None:
+def left(x: Problem, law: str) -> Array | None:
     """The velocities that the blow leaves, if one motion obeys its law."""
     if len(x) == 1:
         return one_contact(x, 0, law)
