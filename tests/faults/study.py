@@ -13,6 +13,12 @@ FAULTS = [
         "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"
     ),
     Fault(
+        "error: passes whose steps are the same tell each other's error",
+        "study/accuracy.c",
+        "!steps_go_with_tolerance(&w->phase, e->spare, e->main))",
+        "steps_go_with_tolerance(&w->phase, e->spare, e->main) > 1)",
+    ),
+    Fault(
         "margin: other counts in the coarse run",
         "study/margin.c",
         "if (a->outcome != b->outcome || ",
