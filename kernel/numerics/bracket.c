@@ -3,7 +3,7 @@
  * Newton's method: where it would leave the bracket, or gains less than a bisection, the bracket is halved instead.  Its
  * shifts d fall by squares: the next one is d (d / d_before)^2.  Roots of an approximation are polished on exact values by
  * the secant; where that does not gain, and values on both sides of the root have been seen, the bracket of these is halved:
- * next to where a motion rests the time goes as the root of the way. */
+ * next to where a motion rests the time goes as the root of the way.  Where that ends at a jump the jump is the root. */
 #include "numerics/bracket.h"
 
 #include <gsl/gsl_errno.h>
@@ -103,6 +103,16 @@ static int is_between(const pm_bracket_sides *sides, double x)
     return (x - sides->below) * (sides->above - x) > 0;
 }
 
+/* The best place; but a function that jumps through zero may be nearer to it elsewhere: where that is far from the sides
+ * that have closed, the later of these, where it is through. */
+static double polished(const pm_bracket_sides *sides, double best, double rounding)
+{
+    if (!has_both(sides)) return best;
+    const double low = fmin(sides->below, sides->above), high = fmax(sides->below, sides->above);
+    const double apart = fmax(low - best, best - high);
+    return apart > PM_BRACKET_JUMPS * fmax(high - low, rounding) ? high : best;
+}
+
 int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context, double begin, double end,
                       double slope, double *x, double *taken, double *off)
 {
@@ -122,8 +132,8 @@ int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context,
         }
         if (i > 0 && value != last && *x != place) slope = (value - last) / (*x - place); /* secant */
         const double shift = slope != 0 ? -value / slope : 0;
+        if (value != 0 && !isnan(value)) see(&sides, *x, value);
         if (fabs(shift) <= rounding || value == 0 || isnan(value)) break;
-        see(&sides, *x, value);
         const int inside = has_both(&sides) && fabs(sides.above - sides.below) > rounding;
         const double far =
             i > 0 ? fmin(PM_BRACKET_FAR * h, PM_BRACKET_LONGER * fabs(*x - place)) : PM_BRACKET_FAR * h;
@@ -133,7 +143,7 @@ int pm_bracket_polish(pm_along *f, pm_exactly *exactly, void *of, void *context,
         *x = fmin(fmax(*x + shift, begin), end);
         if (inside && !(gains && is_between(&sides, *x))) *x = 0.5 * (sides.below + sides.above);
     }
-    *x = at_best;
+    *x = polished(&sides, at_best, rounding);
     return 0;
 }
 

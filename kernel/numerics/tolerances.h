@@ -24,6 +24,7 @@
 #define PM_BRACKET_POLISHED 1e-15  /* of the step: a shift that gains nothing on exact states; likewise */
 #define PM_BRACKET_SLOPE_STEP 1e-4 /* of the step: distance of differences; more: curvature spoils slopes */
 #define PM_BRACKET_LONGER 100 /* shifts before: a secant whose values differ by their rounding alone leads anywhere; larger: to another root */
+#define PM_BRACKET_JUMPS 100 /* widths of the sides that have closed on a root: a better place farther off shows a jump; larger: jumps are met elsewhere */
 #define PM_BRACKET_FAR 0.1       /* of the step: a longer shift is no polish, it may leave for another root */
 #define PM_PIVOT_LOSS 1e-14 /* of its diagonal: a pivot that is lost; larger: more matrices count as singular */
 #define PM_LEMKE_TIE 1e-8    /* of the scaled problem: ratios that are equal; taken as exact a third of all problems fails; larger: pivots that are no ties are taken for some */

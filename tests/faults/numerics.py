@@ -10,6 +10,12 @@ FAULTS = [
         "INFINITY",
     ),
     Fault(
+        "a root is where a function that jumps is nearest to zero, and not where it jumps",
+        "numerics/bracket.c",
+        "return apart > PM_BRACKET_JUMPS",
+        "return 0 * apart > PM_BRACKET_JUMPS",
+    ),
+    Fault(
         "root: Newton's method ends too soon",
         "numerics/tolerances.h",
         "#define PM_BRACKET_NOTHING 1e-16",

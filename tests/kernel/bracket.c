@@ -105,6 +105,37 @@ static void check_polish_stays_with_its_root(void)
     }
 }
 
+/* A height that changes its sign at once where a mark comes over the end of an edge; elsewhere it may be nearer to zero. */
+typedef struct jump {
+    double at, before, after, slope;
+} jump;
+
+static double jump_along(void *of, double t, void *context)
+{
+    const jump *x = of;
+    (void)context;
+    return (t < x->at ? x->before : -x->after) + x->slope * (t - x->at);
+}
+
+static int jump_exactly(void *of, double t, void *context, double *value)
+{
+    *value = jump_along(of, t, context);
+    return 0;
+}
+
+static void check_polish_stays_at_a_jump(void)
+{
+    for (int i = 0; i < 200; i++) {
+        jump x = {.at = check_random(0.2, 0.8),
+                  .before = check_random(1e-3, 1),
+                  .after = check_random(1e-3, 1),
+                  .slope = check_random(-1, 1)};
+        double root = x.at + check_random(-1e-9, 1e-9), taken, off;
+        EQUAL(pm_bracket_polish(jump_along, jump_exactly, &x, NULL, 0, 1, NAN, &root, &taken, &off), 0);
+        NEAR(root, x.at, 1e-8);
+    }
+}
+
 static void check_minima(void *solver)
 {
     call c = {.root = 0.2385};
@@ -125,6 +156,7 @@ int main(void)
     check_slopes_at_ends();
     check_failures_are_told(roots);
     check_polish_stays_with_its_root();
+    check_polish_stays_at_a_jump();
     check_minima(minima);
     pm_bracket_free(roots);
     pm_bracket_minimum_free(minima);
