@@ -308,6 +308,10 @@
 #define PM_FIND_TIE 1e-9  /* of their size: extremes that differ by less are several; more: more remarks */
 #define PM_FIND_SAME 1e-9 /* of the bounds' distance: places that are one; more: takes two for one */
 #define PM_FIND_OUTCOME 5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: errors estimated larger */
+#define PM_FIND_BESIDE 4 /* times PM_FIND_OUTCOME, or the tolerance: how far beside what was found answers are looked at; less: rounding takes the side; more: moves farther */
+#define PM_FIND_SMALL 1e-3 /* of the bounds' distance: a parameter that is no larger is next to zero; more: looks farther beside it */
+#define PM_FIND_STEP 10 /* times what an answer changes on either side: it differs beyond; less: logarithms are told; more: small steps are not */
+#define PM_FIND_SEEN 100 /* tolerances, of an answer's size: differences below are those of runs; less: false remarks; more: small steps are not told */
 #define PM_FIND_TOUCH 4 /* times nearer to zero than its samples: a condition may reach it; more: fewer looks, misses */
 #define PM_FIND_WIDEST 0.25 /* of the interval: first distance of differences; more: leaves the interval */
 #define PM_FIND_HALVINGS 12 /* towards an end, for the other sign of the derivative; more: more runs */
