@@ -195,6 +195,8 @@
 #define PM_PERCENTILE_INSIDE 1e-12 /* of a piece: so far from its ends values are read, on its own side of a switch; more: less exact */
 #define PM_PERCENTILE_PARTS 8 /* halvings of a step until a polynomial tells its values; more: more memory where they are not smooth */
 #define PM_PERCENTILE_HALVINGS 1100 /* halvings of a range: more than doubles have digits and exponents; more changes nothing */
+#define PM_INTEGRAL_SHORT 1e-4 /* of a piece: in what is so short all but noise is straight; longer: waves are taken for noise, shorter: time is rounded */
+#define PM_INTEGRAL_NOISE 8 /* times the noise that is seen in three places: looks end there; more: less exact, less: looks in vain */
 #define PM_INTEGRAL_ALL 1e-9 /* of the time of the run: so much of it an integral must cover; larger: parts may be missing */
 #define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
 #define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */
