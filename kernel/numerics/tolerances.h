@@ -196,6 +196,8 @@
 #define PM_PERCENTILE_INSIDE 1e-12 /* of a piece: so far from its ends values are read, on its own side of a switch; more: less exact */
 #define PM_PERCENTILE_PARTS 8 /* halvings of a step until a polynomial tells its values; more: more memory where they are not smooth */
 #define PM_PERCENTILE_HALVINGS 1100 /* halvings of a range: more than doubles have digits and exponents; more changes nothing */
+#define PM_INTEGRAL_SHORT 1e-4 /* of a piece: in what is so short all but noise is straight; longer: waves are taken for noise, shorter: time is rounded */
+#define PM_INTEGRAL_NOISE 8 /* times the noise that is seen in three places: looks end there; more: less exact, less: looks in vain */
 #define PM_INTEGRAL_ALL 1e-9 /* of the time of the run: so much of it an integral must cover; larger: parts may be missing */
 #define PM_STRAND_ACROSS 1e-12 /* of distance and speed of what a cord pulls: it goes across; larger: a strand is shortest earlier */
 #define PM_STRAND_NEAR 1000 /* times as short: a failure so close to a strand's end comes of it; larger: others are told as that */
@@ -309,6 +311,10 @@
 #define PM_FIND_TIE 1e-9  /* of their size: extremes that differ by less are several; more: more remarks */
 #define PM_FIND_SAME 1e-9 /* of the bounds' distance: places that are one; more: takes two for one */
 #define PM_FIND_OUTCOME 5e-11 /* of a threshold: what the tolerances of decisions (1e-11) leave; more: errors estimated larger */
+#define PM_FIND_BESIDE 4 /* times PM_FIND_OUTCOME, or the tolerance: how far beside what was found answers are looked at; less: rounding takes the side; more: moves farther */
+#define PM_FIND_SMALL 1e-3 /* of the bounds' distance: a parameter that is no larger is next to zero; more: looks farther beside it */
+#define PM_FIND_STEP 10 /* times what an answer changes on either side: it differs beyond; less: logarithms are told; more: small steps are not */
+#define PM_FIND_SEEN 100 /* tolerances, of an answer's size: differences below are those of runs; less: false remarks; more: small steps are not told */
 #define PM_FIND_TOUCH 4 /* times nearer to zero than its samples: a condition may reach it; more: fewer looks, misses */
 #define PM_FIND_WIDEST 0.25 /* of the interval: first distance of differences; more: leaves the interval */
 #define PM_FIND_HALVINGS 12 /* towards an end, for the other sign of the derivative; more: more runs */

@@ -19,6 +19,7 @@
 #include "run/run.h"
 #include "state/arena.h"
 #include "state/workspace.h"
+#include "study/find_sides.h"
 
 static int nodes_of(const pm_find *f)
 {
@@ -49,7 +50,8 @@ int pm_find_create(pm_workspace *w)
     int status = pm_arena_keep(&w->memory, f->root, pm_bracket_free);
     status |= pm_arena_keep(&w->memory, f->minimum, pm_bracket_minimum_free);
     status |= pm_arena_keep(&w->memory, f->pair, pm_find_pair_free);
-    return status ? PM_NO_MEMORY : pm_arena_take(&w->memory, PM_ARRAYS(array));
+    if (status || pm_find_sides_create(w)) return PM_NO_MEMORY;
+    return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
 /* ---- samples ---- */
@@ -273,11 +275,13 @@ static int finish(pm_workspace *w, double *found)
     pm_find *f = w->find;
     int several;
     const pm_look *other, *chosen = choose(f, &several, &other);
-    pm_look last;
-    int status = pm_find_look(w, chosen->x, &last);
-    if (status) return status;
-    for (int k = 0; k < f->nvary; k++) found[PM_FOUND_FIRST + k] = chosen->x[k];
+    pm_look last, at = *chosen;
     f->resolution = chosen->bisected ? PM_FIND_OUTCOME : 0;
+    int status = pm_find_sides(w, &at);
+    if (!status) status = pm_find_look(w, at.x, &last);
+    if (status) return status;
+    pm_find_sides_tell(w);
+    for (int k = 0; k < f->nvary; k++) found[PM_FOUND_FIRST + k] = at.x[k];
     status = last.status;
     if (status) return status;
     if (several > 1) {

@@ -1,41 +1,14 @@
-/* find.h - a case that looks for one or two of its parameters by whole runs; what the files of a find share.
+/* find.h - a case that looks for one or two of its parameters by whole runs; what the files of a find share beside find_look.h.
  *
  *   find.c           samples, brackets, what is taken of all that was found
  *   find_sample.c    samples between the bounds
- *   find_look.c      one run as a function of the varied parameters
  *   find_root.c      roots of readings, thresholds of outcomes
  *   find_extremum.c  the greatest goal between two parameters
  *   find_pair.c      two conditions met by two parameters */
 #ifndef PM_FIND_H
 #define PM_FIND_H
 
-#include "state/workspace.h"
-
-/* What one run says.  A reading is not a number where the run does not come to where it is read. */
-typedef struct pm_look {
-    double x[PM_FIND_MOST];
-    int status; /* of the run */
-    int holds;  /* it came to an outcome, and all conditions but the ZERO ones hold */
-    double reading[PM_FIND_MOST_CONDITIONS];
-    double goal;  /* what is to be greatest: the extreme ask, its negative for the least */
-    int edge;     /* beyond it runs fail */
-    int bisected; /* it is where an outcome changes */
-    int loose;    /* it was run loosely: its readings tell signs and no more */
-} pm_look;
-
-typedef struct pm_find {
-    int nvary, ncondition, nzero, goal, program, samples;
-    int zero[PM_FIND_MOST]; /* the conditions ZERO */
-    double low[PM_FIND_MOST], high[PM_FIND_MOST];
-    double *param;  /* [nparam] of the case, with the varied ones in their places */
-    pm_look *node;  /* [nodes] the samples */
-    pm_look *found; /* [2 nodes] what was found, in ascending order of the first parameter */
-    int nfound;
-    int changes; /* of the outcome between samples, where the parameter itself is to be extreme */
-    int64_t runs;
-    double resolution;           /* relative: how well the threshold is known; 0 for roots and extremes */
-    void *root, *minimum, *pair; /* GSL's solvers */
-} pm_find;
+#include "study/find_look.h"
 
 /* ---- find.c ---- */
 int pm_find_create(pm_workspace *w);
@@ -50,12 +23,6 @@ double pm_find_resolution(const pm_find *find);
 /* ---- find_sample.c ---- */
 /* Fills find->node.  Fails (returns a status) only if it is to be stopped. */
 int pm_find_sample(pm_workspace *w);
-
-/* ---- find_look.c ---- */
-/* Runs the case with the varied parameters x.  Fails (returns a status) only if it is to be stopped. */
-int pm_find_look(pm_workspace *w, const double *x, pm_look *look);
-/* The number of a condition that alone keeps `no` from holding and can be read on both sides, or PM_NONE. */
-int pm_find_margin(const pm_model *model, const pm_find *f, const pm_look *no, const pm_look *yes);
 
 /* ---- find_root.c ---- */
 /* A function of the parameter; not a number where it has no value.  Fails only if the find is to be stopped. */

@@ -1,5 +1,5 @@
 /* find_look.c - one run, looked at: do the conditions hold, how far is it from them, how good is it. */
-#include "study/find.h"
+#include "study/find_look.h"
 
 #include <math.h>
 #include <string.h>
@@ -48,7 +48,7 @@ int pm_find_look(pm_workspace *w, const double *x, pm_look *look)
         f->param[PM_VARY_ROW(w->model, i)[PM_VARY_PARAMETER]] = x[i];
     }
     look->goal = NAN;
-    look->edge = look->bisected = look->loose = 0;
+    look->edge = look->bisected = look->loose = look->side = 0;
     look->holds = 0;
     for (int i = 0; i < PM_FIND_MOST_CONDITIONS; i++) look->reading[i] = NAN;
     look->status = pm_run(w, f->param);

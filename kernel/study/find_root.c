@@ -97,6 +97,7 @@ static int bisect(pm_workspace *w, double no, int no_status, pm_look *yes)
     }
     yes->edge = no_status < 0;
     yes->bisected = 1;
+    yes->side = yes->x[0] > no ? 1 : -1;
     return PM_OK;
 }
 
@@ -111,6 +112,7 @@ static int step_over(pm_workspace *w, double root, pm_look *yes)
         if (status) return status;
         if (!look.holds) continue;
         *yes = look;
+        yes->side = away > 0 ? 1 : -1;
         return PM_OK;
     }
     return bisect(w, root, PM_OK, yes); /* another condition changes, too */

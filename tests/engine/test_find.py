@@ -166,6 +166,41 @@ def test_bounds_may_depend_on_other_parameters() -> None:
     )
 
 
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize(
+    ("find", "hits"),
+    [
+        ('where = "P.x = wanted"', 0),
+        ('least = "v"\nwhere = "P.x >= wanted"', 1),
+        ('greatest = "v"\nwhere = "wall.count = 0"', 0),
+        ('least = "v"\nwhere = "wall happens"', 1),
+    ],
+)
+def test_answers_that_differ_on_both_sides_are_those_of_the_side_that_is_told(
+    route: str, find: str, hits: int
+) -> None:
+    """The particle comes down where an event is about to happen: rounding would decide what is counted."""
+    events = 'events.wall = "P.x > wanted"\n[ask]\nhits = "wall.count"\nfar = "P.x + (2 m)*wall.count"\n'
+    text = f'solve.route = "{route}"\n{THROW.replace("[ask]", events)}'
+    result = found(text, f'vary.v = ["1 m/s", "20 m/s"]\n{find}')
+    assert result.status == "ok"
+    assert result.hits == hits
+    assert result.far == pytest.approx(6 + 2 * hits, rel=1e-9)
+    assert result.range == pytest.approx(6, rel=1e-9)
+    assert {key for key, ask in result.asks.items() if "other side" in ask.reason} == {"hits", "far"}
+    assert any("hits, far differ" in note for note in result.notes)
+
+
+def test_answers_that_do_not_differ_are_not_told() -> None:
+    """A root and a logarithm on one side of a threshold are no steps."""
+    asks = 'ask.T = "t"\nask.last = "AB.omega"\nask.top = { of = "t", at = "over" }\nask.omega'
+    find = 'vary.omega = ["1 rad/s", "20 rad/s"]\nleast = "omega"\nwhere = "over happens"'
+    result = found(ROD.replace("ask.omega", asks), find)
+    assert result.status == "ok"
+    assert not any("sides" in note for note in result.notes)
+    assert not any(ask.reason for ask in result.asks.values())
+
+
 # ---- what is said -----------------------------------------------------------------------------------------
 
 

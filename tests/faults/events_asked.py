@@ -257,6 +257,12 @@ FAULTS = [
         "",
     ),
     Fault(
+        "integral: noise is looked at as if more looks made it better",
+        "events/integral.c",
+        "return isfinite(middle) ? middle : 0;",
+        "return isfinite(middle) ? 0 : 0;",
+    ),
+    Fault(
         "integral: looks are never halved",
         "events/integral.c",
         "if (*error <= fmax(absolute, relative * fabs(*sum))) return;",

@@ -103,6 +103,18 @@ FAULTS = [
         "if (!look.holds) { *yes = look; } else {",
     ),
     Fault(
+        "find: answers are not looked at on both sides",
+        "study/find_sides.c",
+        "for (int k = 0; k < f->nvary && !status; k++)",
+        "for (int k = 0; k < 0; k++)",
+    ),
+    Fault(
+        "find: the side that is answered is left to rounding",
+        "study/find_sides.c",
+        "asks_differ(w, HERE, near) > 0 ? move",
+        "asks_differ(w, HERE, near) < 0 ? move",
+    ),
+    Fault(
         "margin: rates by time and by the path are one",
         "study/margin.c",
         "x->in_time != y->in_time",

@@ -453,6 +453,33 @@ static void wrong_tables(void)
     scene_free(f.s);
 }
 
+/* What is found lies where the particle passes a mark as it comes down: whether it has passed is told of the side on which the
+ * condition holds, else of the lower speed. */
+static void sides(void)
+{
+    for (int i = 0; i < 24; i++) {
+        const int goal = i % 2 ? PM_FIND_LEAST : PM_FIND_VALUE;
+        const double wanted = 12 + i / 4;
+        throwing f = thrown_down_to(0);
+        *scene_setting(f.s, PM_SETTING_ROUTE) = i % 4 < 2 ? PM_ROUTE_RK : PM_ROUTE_AUTO;
+        const int mark = scene_when(f.s, PM_TRIGGER_RISE, range_less(&f, wanted));
+        scene_find(f.s, goal, PM_NONE, 4);
+        scene_vary(f.s, 0, 1, 40);
+        scene_where(f.s, goal == PM_FIND_VALUE ? PM_CONDITION_ZERO : PM_CONDITION_NOT_NEGATIVE,
+                    range_less(&f, wanted));
+        const int passed = scene_ask_measure(f.s, scene_measure(f.s, PM_MEASURE_EVENT_COUNT, mark));
+        const int time = scene_ask_measure(f.s, f.time);
+        const double param[] = {NAN, 0.7}, v = sqrt(wanted * G / sin(1.4));
+        EQUAL(scene_run(f.s, param), PM_OK);
+        EQUAL(f.s->out[passed], goal == PM_FIND_LEAST);
+        EQUAL(f.s->reason[0], PM_REASON_TWO_SIDED);
+        EQUAL(f.s->reason[1], PM_REASON_NONE);
+        NEAR(f.s->found[0], v, 1e-9 * v);
+        NEAR(f.s->out[time], 2 * v * sin(0.7) / G, 1e-8);
+        scene_free(f.s);
+    }
+}
+
 int main(void)
 {
     one_value();
@@ -472,6 +499,7 @@ int main(void)
     no_root();
     answers();
     batch();
+    sides();
     wrong_tables();
     return check_failures();
 }

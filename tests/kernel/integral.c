@@ -178,6 +178,24 @@ static void a_ball(void)
 }
 
 /* ---- what has no answer ---- */
+/* A value that is nothing but the rounding of a reaction: no number of looks finds its integral. */
+static void a_noise(int route)
+{
+    scene *s = on_route(route);
+    const int b = scene_body(s, 2, 0.2, 0.4, -0.2, -0.4);
+    const int pin = scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -0.4, 0),
+                                scene_point(s, PM_GROUND, 0.0315756, -0.0442326), 0);
+    scene_until_time(s, 2);
+    const int force = scene_part(s, PM_MEASURE_JOINT_FORCE, pin, PM_PART_Y);
+    const int noise = SCENE_PROGRAM(s, scene_m(force), scene_m(force), scene_k(s, 3), scene_op(PM_OP_DIV),
+                                    scene_k(s, 3), scene_op(PM_OP_MUL), scene_op(PM_OP_SUB));
+    const int out = ask(s, PM_ASK_INTEGRAL, noise, PM_NONE);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(fabs(s->out[out]) <= s->error[out] && s->error[out] < 1e-12);
+    CHECK(s->count[PM_COUNT_SOLVES] < 1000 * (s->count[PM_COUNT_STEPS] + 1));
+    scene_free(s);
+}
+
 static void no_time_and_no_number(void)
 {
     throw x = thrown(PM_ROUTE_RK);
@@ -205,6 +223,7 @@ int main(void)
             a_bell(routes[i]);
         }
         a_swing(routes[i]);
+        a_noise(routes[i]);
     }
     for (int k = 0; k < CASES; k++) a_ball();
     no_time_and_no_number();

@@ -22,6 +22,7 @@ REASONS: Mapping[int, str] = {
     layout.PM_REASON_INFINITE: "infinite",
     layout.PM_REASON_SHARED: "not unique: redundant constraints share it",
     layout.PM_REASON_CUT: "the event fired more often than the list is long",
+    layout.PM_REASON_TWO_SIDED: "another on the other side of what was found",
 }
 
 

@@ -27,14 +27,35 @@ def first_ordered(runs: Sequence[tuple[FlatScene, CaseResults]]) -> str:
     return ""
 
 
+def two_sided(runs: Sequence[tuple[FlatScene, CaseResults]]) -> tuple[str, ...]:
+    """The keys of answers that are others on the other side of what a find has found."""
+    reasons = [(flat, results.reason[0]) for flat, results in runs]
+    return tuple(
+        asked.key
+        for flat, reason in reasons
+        for asked in flat.asks
+        if (reason[asked.row : asked.row + asked.rows] == layout.PM_REASON_TWO_SIDED).any()
+    )
+
+
 def notes_of(
-    excess: float | None, counts: Mapping[str, int], routes: Sequence[str], ordered: str
+    excess: float | None,
+    counts: Mapping[str, int],
+    routes: Sequence[str],
+    ordered: str,
+    sided: Sequence[str] = (),
 ) -> tuple[str, ...]:
     """Sentences for people.
 
-    `excess`: the greatest error as a part of what solve.accuracy allows; `ordered`: by `first_ordered`.
+    `excess`: the greatest error as a part of what solve.accuracy allows; `ordered`: by `first_ordered`;
+    `sided`: by `two_sided`.
     """
     notes = []
+    if sided:
+        notes.append(
+            f"on the two sides of what was found {', '.join(sided)} differ{'s' if len(sided) == 1 else ''}: "
+            "answered is the side on which the conditions of [find] hold, or else that of the lower parameter"
+        )
     if excess is not None and excess > 1:
         notes.append(
             f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large"

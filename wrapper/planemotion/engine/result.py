@@ -14,7 +14,7 @@ from ..compile.flatten import FlatScene
 from ..language.units import factor
 from .kernel import AUDITS, REASONS, route_name, status_name
 from .messages import message
-from .notes import first_ordered, notes_of
+from .notes import first_ordered, notes_of, two_sided
 from .outcome import CaseResults
 from .words import read_words, spelled
 
@@ -237,8 +237,8 @@ def answer(
     missing = any(value is None for value in values) or (column.open_ended and not values)
     if missing and reason == layout.PM_REASON_NONE:
         reason = layout.PM_REASON_FAILED if status < layout.PM_OK else layout.PM_REASON_NOT_REACHED
-    cut = reason == layout.PM_REASON_CUT
-    text = REASONS.get(reason, f"reason {reason}") if missing or cut else ""
+    cut, sided = reason == layout.PM_REASON_CUT, reason == layout.PM_REASON_TWO_SIDED
+    text = REASONS.get(reason, f"reason {reason}") if missing or cut or sided else ""
     if cut:
         text += f", which is {column.count}"
     return AskValue(
@@ -291,7 +291,7 @@ def collect(
         counts=counts,
         found={name: value for one, result in runs for name, value in _found(one, result)},
         stopped_at=time if worst != layout.PM_OK and math.isfinite(time) else None,
-        notes=notes_of(excess, counts, routes, first_ordered(runs)),
+        notes=notes_of(excess, counts, routes, first_ordered(runs), two_sided(runs)),
         margin=_known(min, (result.trust[0, layout.PM_TRUST_MARGIN] for _, result in runs)),
         excess=excess,
     )
@@ -348,11 +348,10 @@ def _unit_text(ask: AskValue) -> str:
 
 
 def _error_text(ask: AskValue) -> str:
-    """The greatest error of a list; the reason where there is no value."""
-    if ask.reason:
-        return ask.reason
+    """The greatest error of a list; what else there is to say, such as why there is no value."""
     errors = ask.error if isinstance(ask.error, list) else [ask.error]
-    return max((f"{one:.1e}" for one in errors if one is not None), key=float, default="")
+    error = max((f"{one:.1e}" for one in errors if one is not None), key=float, default="")
+    return ", ".join(text for text in (error, ask.reason) if text)
 
 
 def _shown(ask: AskValue) -> str:
