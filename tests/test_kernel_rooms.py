@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+import pytest
+
 from tests import ROOT
 from tests.circles import circles as circles_of
 
@@ -169,6 +171,15 @@ def misplaced_circles(kernel: Path, plan: House) -> list[list[str]]:
     ]
 
 
+def long_files(folder: Path, most: int) -> dict[str, int]:
+    """The sources and headers that have too many lines."""
+    lengths = {
+        path.relative_to(folder).as_posix(): path.read_text("utf-8").count("\n")
+        for path in folder.rglob("*.[ch]")
+    }
+    return {name: n for name, n in lengths.items() if n > most}
+
+
 def functions(kernel: Path) -> dict[str, int]:
     """The lines of each function that are not blank, those of its head and braces included."""
     return {
@@ -214,10 +225,9 @@ def test_circles_are_small_and_inside_one_room() -> None:
     assert misplaced_circles(KERNEL, house()) == []
 
 
-def test_no_file_is_too_long() -> None:
-    most = house().longest_file
-    lengths = {path: path.read_text(encoding="utf-8").count("\n") for path in KERNEL.rglob("*.[ch]")}
-    assert {path.name: n for path, n in lengths.items() if n > most} == {}
+@pytest.mark.parametrize("folder", ["kernel", "tests", "wrapper", "studies"])
+def test_no_file_is_too_long(folder: str) -> None:
+    assert long_files(ROOT / folder, house().longest_file) == {}
 
 
 def test_no_function_is_too_long() -> None:
@@ -286,6 +296,11 @@ def test_a_table_of_a_later_room_is_found(tmp_path: Path) -> None:
         low__stone_c="extern const int pm_tiles[2];\nint pm_stone(void)\n{\n    return pm_tiles[0];\n}",
     )
     assert upward(kernel, PLAN) == ["low/stone -> high/tiles: pm_tiles (line 1)"]
+
+
+def test_long_files_are_found(tmp_path: Path) -> None:
+    kernel = built(tmp_path, low__stone_c="\n" * 6, low__stone_h="\n" * 5)
+    assert long_files(kernel, 5) == {"low/stone.c": 6}
 
 
 def test_a_file_without_a_room_is_found(tmp_path: Path) -> None:

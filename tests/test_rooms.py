@@ -12,6 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
+
 from tests import ROOT
 from tests.circles import circles as circles_of
 
@@ -189,8 +191,9 @@ def test_circles_are_small() -> None:
     assert [group for group in circles(WRAPPER / PACKAGE, plan) if len(group) > plan.largest_circle] == []
 
 
-def test_no_file_is_too_long() -> None:
-    assert long_files(WRAPPER / PACKAGE, house()) == {}
+@pytest.mark.parametrize("folder", [WRAPPER / PACKAGE, ROOT / "tests", ROOT / "studies"])
+def test_no_file_is_too_long(folder: Path) -> None:
+    assert long_files(folder, house()) == {}
 
 
 def test_functions_are_short() -> None:

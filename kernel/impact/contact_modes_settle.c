@@ -304,6 +304,22 @@ static int joints_change(pm_workspace *w, double slack)
     return pm_joint_friction_overcome(w, slack) || pm_teeth_turn_pulling(w, slack);
 }
 
+/* They stand, or stay because solving for them has changed none; of these, some with absurd loads are reversed. */
+static int stay(pm_workspace *w, double size, int changed)
+{
+    if (stands(w, size)) return 1;
+    if (!changed && are_absurd(w, PM_ABSURD * size)) reverse_few(w);
+    return !changed;
+}
+
+/* Others instead of them; PM_SINGULAR where they are so and there are no others. */
+static int solve(pm_workspace *w, int singular, int *changed)
+{
+    if (singular) take_back(w);
+    const int status = pm_contact_modes_solve(w, changed);
+    return singular && (status || !*changed) ? PM_SINGULAR : status;
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
     const int most = 2 * (w->model->nfriction + w->model->nteeth) + PM_MODES_ROUNDS;
@@ -314,25 +330,19 @@ int pm_contact_modes_settle(pm_workspace *w)
         int status = accelerate(w);
         if (status == PM_SINGULAR && let_one_go(w)) return settled(w, 1);
         if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
-        if (status == PM_SINGULAR && changed && !w->phase.kinematic) {
-            take_back(w);
-            if (pm_contact_modes_solve(w, &changed) || !changed) return status;
-            solved = 1;
-            continue;
+        const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;
+        if (!singular) {
+            if (status || w->phase.kinematic) return status;
+            if (let_driven_go(w) && (status = accelerate(w))) return status;
+            const double size = force_size(&w->frame, &w->active);
+            if (stay(w, size, changed)) {
+                if (!joints_change(w, PM_PULLS * size)) return settled(w, solved);
+                changed = 1;
+                continue;
+            }
         }
-        if (status || w->phase.kinematic) return status;
-        if (let_driven_go(w) && (status = accelerate(w))) return status;
-        const double size = force_size(&w->frame, &w->active);
-        const int stand = stands(w, size);
-        if (!changed || stand) {
-            if (!stand && are_absurd(w, PM_ABSURD * size)) reverse_few(w);
-            if (!joints_change(w, PM_PULLS * size)) return settled(w, solved);
-            changed = 1;
-        } else if ((status = pm_contact_modes_solve(w, &changed))) {
-            return status;
-        } else {
-            solved = 1;
-        }
+        if ((status = solve(w, singular, &changed))) return status;
+        solved = 1;
     }
     return pm_fail(&w->result, PM_BLOW_UNDECIDED, PM_NONE, PM_NONE, most, 0);
 }

@@ -1,17 +1,25 @@
 """Small faults, one to plant at a time, that the tests of the kernel must catch.
 
 A fault is one small change of one source: a sign in a column of a Jacobian, a wrong gamma, a dropped event
-function, a wrong restitution, a dropped row ... There is a file of them for each room of the kernel;
-`python -m tests.faults` plants them in a copy of it.
+function, a wrong restitution, a dropped row ... Each room of the kernel has its file of them, a large room
+one for each of its subjects; `python -m tests.faults` plants them in a copy of the kernel.
 """
 
 from tests.faults import (
-    elements,
-    equations,
+    elements_constraints,
+    elements_contacts,
+    elements_measures,
+    elements_wrapped,
+    equations_active,
+    equations_solved,
     events,
     events_asked,
     expression,
-    impact,
+    impact_blows,
+    impact_courses,
+    impact_instants,
+    impact_modes,
+    impact_springs,
     numerics,
     routes_ida,
     routes_path,
@@ -31,12 +39,19 @@ BY_ROOM: dict[str, list[Fault]] = {
     "numerics": numerics.FAULTS,
     "expression": expression.FAULTS,
     "state": state.FAULTS,
-    "elements": elements.FAULTS,
+    "elements": elements_constraints.FAULTS
+    + elements_contacts.FAULTS
+    + elements_measures.FAULTS
+    + elements_wrapped.FAULTS,
     "scene": scene.FAULTS,
-    "equations": equations.FAULTS,
+    "equations": equations_active.FAULTS + equations_solved.FAULTS,
     "tree": tree.FAULTS,
     "events": events.FAULTS + events_asked.FAULTS,
-    "impact": impact.FAULTS,
+    "impact": impact_blows.FAULTS
+    + impact_courses.FAULTS
+    + impact_instants.FAULTS
+    + impact_modes.FAULTS
+    + impact_springs.FAULTS,
     "routes/path": routes_path.FAULTS,
     "routes/rk": routes_rk.FAULTS,
     "routes/ida": routes_ida.FAULTS,

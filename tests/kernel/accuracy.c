@@ -1,19 +1,10 @@
 /* Estimated errors and margins: against true errors, on decisions that are close, and what is asked of accuracy. */
 #include "study/accuracy.h"
 #include "check.h"
+#include "estimating.h"
 #include "expression/program_class.h"
 #include "scene.h"
 #include "state/workspace.h"
-
-#define G 9.81
-
-static scene *estimating(double accuracy)
-{
-    scene *s = scene_create();
-    scene_set(s, PM_SETTING_ACCURACY, accuracy);
-    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
-    return s;
-}
 
 /* A rod, pinned at one end, let go at an angle above the horizontal, to the vertical: omega^2 = 3 g (1 + sin angle) / L;
  * the pin then carries m g + m omega^2 L / 2, and nothing sideways. */
@@ -143,21 +134,6 @@ static void rounded_alike(void)
     CHECK(fabs(out[1] - out[0]) <= error[0] + error[1]);
 }
 
-/* A ball thrown up towards a ceiling: it strikes if v^2 > 2 g h.  The nearer to it, the smaller the margin; nearer than
- * rounding the outcome is not decided. */
-static scene *thrown(double above, double accuracy)
-{
-    scene *s = estimating(accuracy);
-    const double v = sqrt(2 * G * 1.5 * (1 + above));
-    const int ball = scene_body(s, 1, 0, 0, 0, 0), g = scene_point(s, ball, 0, 0);
-    scene_start_velocity(s, g, 0.3, v);
-    const int y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y), up = scene_event(s);
-    scene_trigger(s, PM_TRIGGER_RISE, up, scene_minus(s, y, 1.5), PM_NONE);
-    scene_until_time(s, 2);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, up));
-    return s;
-}
-
 static void margins(void)
 {
     double last = INFINITY;
@@ -242,16 +218,6 @@ static void discrete(void)
     scene_free(s);
 }
 
-static double mean(long double a, long double b) /* arithmetic-geometric */
-{
-    for (int i = 0; i < 40; i++) {
-        const long double c = (a + b) / 2;
-        b = sqrtl(a * b);
-        a = c;
-    }
-    return (double)a;
-}
-
 /* The path knows the error of its clock: times of a rod of length 1 on its pin by elliptic integrals (Gauss's mean), from
  * rest to the lowest place and from there, fast enough, to the highest.  No coarse run is made; a watched event that the
  * speeds decide changes nothing, one that ends the run is not for it. */
@@ -325,149 +291,6 @@ static void slow_over_the_top(void)
     CHECK(close >= 0.5 * all);
 }
 
-/* A rod on its pin goes from its lowest to its highest place; alpha = -3/2 g cos(angle) is least half-way.  How often it
- * passes a threshold `above` that least value, 2 or 0 times, is only counted: no coarse run is made, and the margin falls as
- * the threshold comes near. */
-static scene *counting(double above)
-{
-    scene *s = estimating(1e-10);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
-    const double quarter = 0.5 * 3.14159265358979323846;
-    const int rod = scene_body(s, 3, 0.25, 0, -0.5, -quarter);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_start_omega(s, rod, 9);
-    const int there = scene_measure(s, PM_MEASURE_ANGLE, rod), rate = scene_measure(s, PM_MEASURE_ALPHA, rod);
-    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, there, quarter)), 1);
-    const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, rate, -1.5 * G * (1 - above)));
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, low));
-    return s;
-}
-
-static void counted_events(void)
-{
-    for (int i = 1; i < 12; i++)
-        for (int side = -1; side <= 1; side += 2) {
-            scene *s = counting(side * pow(10, -i));
-            EQUAL(scene_run(s, NULL), PM_OK);
-            EQUAL(s->out[0], side > 0 ? 2 : 0);
-            EQUAL(s->count[PM_COUNT_PASSES], 1);
-            EQUAL(s->margin[0], s->trust[PM_TRUST_MARGIN]);
-            CHECK(s->margin[0] > 1);
-            CHECK(s->margin[0] < pow(10, 16 - i)); /* some roundings over how close it is */
-            scene_free(s);
-        }
-    int undecided = 0;
-    for (int i = -3; i <= 3; i++) {
-        scene *s = counting(i * 1e-16);
-        undecided += scene_run(s, NULL) == PM_UNDECIDED && s->margin[0] < 1;
-        scene_free(s);
-    }
-    EQUAL(undecided, 7);
-}
-
-/* The same, but the rod stops before that: alpha only falls, and how near it comes to the threshold is told by its value
- * where the run ends. */
-static scene *counting_to_the_end(double beyond)
-{
-    scene *s = estimating(1e-10);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
-    const double quarter = 0.5 * 3.14159265358979323846, end = -0.5;
-    const int rod = scene_body(s, 3, 0.25, 0, -0.5, -quarter);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_start_omega(s, rod, 9);
-    const int there = scene_measure(s, PM_MEASURE_ANGLE, rod), rate = scene_measure(s, PM_MEASURE_ALPHA, rod);
-    scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, there, end)), 1);
-    const int low = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, rate, -1.5 * G * cos(end) * (1 + beyond)));
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, low));
-    return s;
-}
-
-static void counted_to_the_end(void)
-{
-    for (int i = 2; i < 11; i++)
-        for (int side = -1; side <= 1; side += 2) {
-            scene *s = counting_to_the_end(side * pow(10, -i));
-            EQUAL(scene_run(s, NULL), PM_OK);
-            EQUAL(s->out[0], side < 0);
-            EQUAL(s->count[PM_COUNT_PASSES], 1);
-            CHECK(s->margin[0] > 1);
-            CHECK(s->margin[0] < pow(10, 16 - i));
-            scene_free(s);
-        }
-}
-
-/* A ball, or with two feet a crate, let fall from 1 m on a floor. */
-static void let_fall(scene *s, double e, int feet)
-{
-    const int body = scene_body(s, 0.1, 4e-5, 0, 1.03, 0);
-    for (int i = 0; i < feet; i++) {
-        const int foot = scene_point(s, body, feet == 1 ? 0 : i - 0.5, 0);
-        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, foot, 0.03), scene_floor(s, 0), 1, e,
-                      PM_FRICTION_SMOOTH, 0);
-    }
-}
-
-static scene *resting(int route, double e, double accuracy, int feet)
-{
-    scene *s = estimating(accuracy);
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    let_fall(s, e, feet);
-    scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
-    scene_ask_measure(s, scene_time(s));
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STRIKE, 0)));
-    EQUAL(scene_run(s, NULL), PM_OK);
-    return s;
-}
-
-/* It rests at sqrt(2 h / g) (1 + e) / (1 - e), after blows without number.  Those that are too small to be followed take
- * their time all the same. */
-static void series_cut_off(int route, double e, double accuracy, int feet)
-{
-    scene *s = resting(route, e, accuracy, feet);
-    const double wrong = fabs(s->out[0] - sqrt(2 / G) * (1 + e) / (1 - e));
-    CHECK(wrong < (route == PM_ROUTE_RK ? 1e-11 : 2 * s->error[0]) && wrong < 10 * s->error[0]);
-    CHECK(isinf(s->out[1]));
-    CHECK(s->trust[PM_TRUST_MARGIN] > 100);
-    scene_free(s);
-}
-
-/* Blow n, by when nothing is left of its speed that is one: where the series is cut its last blows count all the same, and the error
- * of the time tells them. */
-static void blow_too_late(double e, int n)
-{
-    scene *s = estimating(1e-10);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_UNIFORM;
-    let_fall(s, e, 1);
-    scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, 0), n);
-    scene_ask_measure(s, scene_time(s));
-    const int status = scene_run(s, NULL);
-    CHECK(status == PM_OK || status == PM_UNDECIDED); /* the last of them that has a speed may be open */
-    const double first = sqrt(2 / G), truth = first * (1 + 2 * e * (1 - pow(e, n - 1)) / (1 - e));
-    CHECK(fabs(s->out[0] - truth) <= s->error[0] + 1e-14);
-    CHECK(s->error[0] < 1e-8);
-    scene_free(s);
-}
-
-/* After its rest another ball, thrown up, passes a height close below its highest place. */
-static void decided_after_a_series(double below)
-{
-    scene *s = estimating(1e-10);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-    let_fall(s, 0.3, 1);
-    const int thrown_up = scene_body(s, 1, 0, 5, 0, 0), g = scene_point(s, thrown_up, 0, 0);
-    scene_start_velocity(s, g, 0, 2 * G);
-    const int y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
-    const int up = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, y, 2 * G * (1 - below)));
-    scene_until_time(s, 3);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, up));
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STRIKE, 0)));
-    EQUAL(scene_run(s, NULL), PM_OK);
-    EQUAL(s->out[0], 1);
-    CHECK(isinf(s->out[1]));
-    CHECK(s->margin[0] > 1 && s->margin[0] < 1e16 * below);
-    scene_free(s);
-}
-
 int main(void)
 {
     calibrated();
@@ -480,15 +303,5 @@ int main(void)
     discrete();
     clock_errors();
     slow_over_the_top();
-    counted_events();
-    counted_to_the_end();
-    for (int route = PM_ROUTE_RK; route <= PM_ROUTE_IDA; route++)
-        for (int i = 0; i < 3; i++) {
-            series_cut_off(route, 0.3 + 0.3 * i, 1e-6, 1 + i % 2);
-            series_cut_off(route, 0.3 + 0.3 * i, 1e-8, 1);
-            series_cut_off(route, 0.3 + 0.3 * i, 1e-8, 2);
-        }
-    for (int n = 20; n < 40; n++) blow_too_late(0.36, n);
-    for (int i = 4; i < 10; i++) decided_after_a_series(pow(10, -i));
     return check_failures();
 }

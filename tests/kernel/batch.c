@@ -33,7 +33,7 @@ static scene *bars(void)
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_read(s, w)), 1);
     scene_ask_event(s, scene_read(s, w), strike, 1, 1);
     scene_ask_event(s, scene_read(s, w), strike, 2, 0);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, strike));
+    scene_ask_count(s, strike);
     scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, 0)), PM_NONE);
     *scene_setting(s, PM_SETTING_MAX_EVENTS) = 60;
     scene_pack(s);

@@ -62,7 +62,7 @@ static void slips(int route, double sense, double omega, int after)
     const int axle[2] = {scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, x.pin[0], PM_PART_X)),
                          scene_ask_measure(s, scene_part(s, PM_MEASURE_JOINT_FORCE, x.pin[0], PM_PART_Y))};
     const int sticks = scene_on(s, PM_TRIGGER_JOINT_STICK, x.joint);
-    const int times = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, sticks));
+    const int times = scene_ask_count(s, sticks);
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->out[times], after);
     EQUAL(s->count[PM_COUNT_ROUTE], route == PM_ROUTE_AUTO ? PM_ROUTE_UNIFORM : route);

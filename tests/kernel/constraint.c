@@ -1,213 +1,14 @@
-/* Rows: for every kind of joint and contact, with the ground and with a moving partner on either side:
- * Jacobian = differences of the residual, gamma = -(dG/dt) v by differences of the rate, and, on the constraint, the
- * rate from the line of action = j v.  Rolling on and in circles closes after a thousand turns. */
+/* Rows: for every kind of joint and contact, with the ground and with a moving partner on either side: Jacobian = differences of the residual, gamma = -(dG/dt) v by differences of the rate, and, on the constraint, the rate from the line of action = j v.  Rolling on and in circles closes after a thousand turns. */
 #include "elements/constraint.h"
-
 #include "check.h"
+#include "constraint_check.h"
 #include "elements/contact.h"
 #include "elements/joint.h"
-#include "elements/teeth.h"
 #include "equations/active_set.h"
-#include "equations/saddle.h"
 #include "scene.h"
 #include "state/workspace.h"
 
 #define TWO_PI 6.283185307179586
-#define STEP 1e-6
-
-static const double pose_a[3] = {0.31, -0.22, 0.7}, pose_b[3] = {-0.83, 0.64, -1.9};
-static const double mark[2][2] = {{0.17, -0.08}, {-0.12, 0.21}};
-static const double speed[6] = {0.9, -1.3, 2.1, -0.4, 0.8, -1.7};
-
-/* body[0], body[1], or the ground: partners[k] of the pair looked at */
-typedef struct pair {
-    scene *s;
-    int body[2], point[2];
-    double at[2][2], distance;
-} pair;
-
-static void place_of(const double pose[3], const double at[2], double p[2])
-{
-    p[0] = pose[0] + cos(pose[2]) * at[0] - sin(pose[2]) * at[1];
-    p[1] = pose[1] + sin(pose[2]) * at[0] + cos(pose[2]) * at[1];
-}
-
-static pair make_pair(int ground_side)
-{
-    pair x = {.s = scene_create()};
-    const double *pose[2] = {pose_a, pose_b};
-    static const double scene_pose[3] = {0, 0, 0};
-    for (int k = 0; k < 2; k++) {
-        const int ground = ground_side == k;
-        x.body[k] = ground ? PM_GROUND : scene_body(x.s, 1.5 + k, 0.2, pose[k][0], pose[k][1], pose[k][2]);
-        x.point[k] = scene_point(x.s, x.body[k], mark[k][0], mark[k][1]);
-        place_of(ground ? scene_pose : pose[k], mark[k], x.at[k]);
-    }
-    x.distance = hypot(x.at[0][0] - x.at[1][0], x.at[0][1] - x.at[1][1]);
-    return x;
-}
-
-/* Puts the drawn pose and a velocity into w->state and looks at it; q is moved by eps along `direction`. */
-static void look(pm_workspace *w, const double *direction, double eps)
-{
-    const pm_model *m = w->model;
-    for (int i = 0; i < m->nbody; i++)
-        for (int k = 0; k < 3; k++) {
-            w->state.q[3 * i + k] = w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]] +
-                                    (direction ? eps * direction[3 * i + k] : 0);
-            w->state.v[3 * i + k] = speed[3 * i + k];
-        }
-    pm_frame_look_state(&w->frame, &w->state);
-}
-
-static double residual_at(pm_workspace *w, pm_constraint row, const double *direction, double eps)
-{
-    look(w, direction, eps);
-    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-    return row.g;
-}
-
-static double rate_at(pm_workspace *w, pm_constraint row, const double *direction, double eps)
-{
-    look(w, direction, eps);
-    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-    return pm_constraint_times(&w->frame, &row, w->state.v);
-}
-
-/* The gap that is watched is the residual, its rate that by the Jacobian, to the last bit. */
-static void check_gap(const pm_frame *frame, const pm_constraint *row)
-{
-    double rate;
-    if (!pm_constraint_kind(row->kind)->gap) return;
-    NEAR(pm_constraint_kind(row->kind)->gap(frame, row, &rate), row->g, 0);
-    NEAR(pm_constraint_kind(row->kind)->gap(frame, row, NULL), row->g, 0);
-    NEAR(rate, pm_constraint_times(frame, row, frame->v), 0);
-}
-
-/* The second derivatives are those of the Jacobian, and looking for them leaves no trace. */
-static void check_bend(pm_workspace *w, pm_constraint row)
-{
-    double bend[PM_CONSTRAINT_COORDINATES][PM_CONSTRAINT_COORDINATES], velocity[6];
-    look(w, NULL, 0);
-    for (int i = 0; i < w->model->nq; i++) velocity[i] = w->frame.velocity[i];
-    pm_constraint_bend(&w->frame, &row, bend);
-    for (int i = 0; i < w->model->nq; i++) EQUAL(w->frame.velocity[i], velocity[i]);
-    for (int n = 0; n < 3 * pm_constraint_bodies(&row); n++) {
-        if (row.body[n / 3] == w->model->nbody) continue;
-        double direction[6] = {0}, j[2][PM_CONSTRAINT_COORDINATES];
-        direction[3 * row.body[n / 3] + n % 3] = 1;
-        for (int side = 0; side < 2; side++) {
-            look(w, direction, side == 0 ? -STEP : STEP);
-            pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-            memcpy(j[side], row.j, sizeof row.j);
-        }
-        for (int i = 0; i < 3 * pm_constraint_bodies(&row); i++)
-            if (row.body[i / 3] != w->model->nbody) NEAR(bend[i][n], (j[1][i] - j[0][i]) / (2 * STEP), 2e-8);
-    }
-    look(w, NULL, 0);
-}
-
-static void check_row(pm_workspace *w, pm_constraint row, int on_constraint)
-{
-    const int nq = w->model->nq;
-    double difference[6], dense[6] = {0};
-    look(w, NULL, 0);
-    if (row.memory != PM_NONE)
-        pm_constraint_kind(row.kind)->remember(&w->frame, &row, &w->state.memory[row.memory], 1);
-    pm_constraint_kind(row.kind)->evaluate(&w->frame, &row);
-    if (row.memory != PM_NONE) NEAR(row.g, 0, 1e-14);
-    check_gap(&w->frame, &row);
-    for (int p = 0; p < pm_constraint_bodies(&row); p++)
-        for (int k = 0; k < 3 && row.body[p] < w->model->nbody; k++)
-            dense[3 * row.body[p] + k] += row.j[3 * p + k];
-    for (int i = 0; i < nq; i++) {
-        double direction[6] = {0};
-        direction[i] = 1;
-        difference[i] =
-            (residual_at(w, row, direction, STEP) - residual_at(w, row, direction, -STEP)) / (2 * STEP);
-        NEAR(dense[i], difference[i], 2e-9);
-    }
-    const double change = (rate_at(w, row, speed, STEP) - rate_at(w, row, speed, -STEP)) / (2 * STEP);
-    NEAR(row.gamma, -change, 1e-7);
-    check_bend(w, row);
-    look(w, NULL, 0);
-    if (on_constraint)
-        NEAR(pm_constraint_rate(&w->frame, &row), pm_constraint_times(&w->frame, &row, w->state.v), 1e-13);
-}
-
-/* The flanks of both sides push a away from b, and against each other along the pitch curves. */
-static void check_flanks(pm_workspace *w, const pm_constraint *row)
-{
-    pm_line_of_action one, other, apart;
-    pm_constraint normal = *row;
-    normal.kind = row->kind == PM_CONSTRAINT_RACK ? PM_CONSTRAINT_LINE_NORMAL : PM_CONSTRAINT_DISTANCE;
-    pm_constraint_kind(normal.kind)->act(&w->frame, &normal, &apart);
-    pm_constraint_kind(row->kind)->act(&w->frame, row, &one);
-    pm_teeth_turn(w, row->joint);
-    pm_constraint_kind(row->kind)->act(&w->frame, row, &other);
-    NEAR(pm_dot(one.direction, one.direction), 1, 1e-14);
-    NEAR(pm_dot(one.direction, apart.direction), sin(0.35), 1e-14);
-    NEAR(pm_dot(other.direction, apart.direction), sin(0.35), 1e-14);
-    NEAR(pm_dot(one.direction, other.direction), -cos(0.7), 1e-14);
-}
-
-static int open_case(scene *s)
-{
-    return CHECK(scene_open(s) == PM_OK) && CHECK(pm_case_begin(s->w, s->constant) == PM_OK);
-}
-
-/* The slack of a cord and its slip on a rim; its rates are those of its strands along their lines. */
-static void check_cord(scene *s)
-{
-    pm_constraint row[2], strand[2];
-    if (!open_case(s)) return;
-    pm_workspace *w = s->w;
-    look(w, NULL, 0);
-    pm_contact_constraint_both(&w->frame, 0, s->model->contact_slot[0], 0, &row[0], &row[1]);
-    pm_memory *memory = &w->state.memory[row[0].memory];
-    for (int k = 0; k < 2; k++) {
-        pm_constraint_kind(row[k].kind)->remember(&w->frame, &row[k], memory, 1);
-        check_row(w, row[k], 1);
-    }
-    const double wrap = pm_constraint_cord_wrap(&w->frame, &row[0]);
-    CHECK(wrap > 2 * TWO_PI && wrap < 3 * TWO_PI);
-    pm_constraint_cord_strands(&row[0], strand);
-    for (int k = 0; k < 2; k++) {
-        pm_line_of_action one;
-        pm_constraint_kind(strand[k].kind)->act(&w->frame, &strand[k], &one);
-        memory->direction = atan2(one.direction[1], one.direction[0]);
-        if (k == 0) memory->behind = memory->direction;
-    }
-    const double turned = (memory->direction - memory->behind) * (row[0].radius_rim < 0 ? -1 : 1);
-    NEAR(remainder(wrap - turned, TWO_PI), 0, 1e-13);
-}
-
-/* All rows of all joints and contacts of the scene. */
-static void check_scene(scene *s, int on_constraint)
-{
-    if (!open_case(s)) return;
-    pm_workspace *w = s->w;
-    look(w, NULL, 0);
-    for (int i = 0; i < s->rows[PM_TABLE_JOINT]; i++) {
-        pm_constraint row[PM_JOINT_CONSTRAINTS];
-        const int n = pm_joint_constraints(&w->frame, &w->state, i, row);
-        for (int k = 0; k < n; k++) {
-            EQUAL(row[k].joint, i);
-            check_row(w, row[k], on_constraint || row[k].kind == PM_CONSTRAINT_ANGLE);
-            if (!pm_joint_of(s->model, i)->flanks) continue;
-            pm_teeth_turn(w, i);
-            check_row(w, row[k], on_constraint);
-            check_flanks(w, &row[k]);
-        }
-    }
-    for (int i = 0; i < s->rows[PM_TABLE_CONTACT]; i++) {
-        pm_constraint row[2];
-        pm_contact_constraint_both(&w->frame, i, s->model->contact_slot[i], i == 0 ? 0 : 2, &row[0], &row[1]);
-        for (int k = 0; k < 2; k++) check_row(w, row[k], on_constraint);
-        EQUAL(row[0].memory, PM_NONE);
-        CHECK(row[1].memory >= 0 && row[1].memory < s->model->nmemory);
-    }
-}
 
 static void point_joints(int ground_side)
 {
@@ -278,57 +79,6 @@ static void circle_rows(int ground_side, double side, double ratio)
         NEAR(residual_at(x.s->w, row[0], nearer, 1e-3), side > 0 ? -1e-3 : 1e-3, 1e-15);
         (void)q;
     }
-    scene_free(x.s);
-}
-
-/* What a belt drives with is half the difference of what its strands do: the same force, and the same couple on each body. */
-static void check_belt(pm_workspace *w, const pm_constraint *belt, const pm_constraint strand[2])
-{
-    pm_line_of_action whole, of[2];
-    pm_constraint_kind(belt->kind)->act(&w->frame, belt, &whole);
-    for (int k = 0; k < 2; k++) pm_constraint_kind(strand[k].kind)->act(&w->frame, &strand[k], &of[k]);
-    for (int body = 0; body < 2; body++) {
-        double force[2] = {0}, moment = 0; /* about where the whole acts */
-        for (int k = 0; k < 2; k++) {
-            const double half = k == 0 ? 0.5 : -0.5;
-            const double arm[2] = {of[k].at[0] - whole.at[0], of[k].at[1] - whole.at[1]};
-            for (int i = 0; i < 2; i++) force[i] += half * of[k].direction[i];
-            moment += half * pm_cross(arm, of[k].direction);
-        }
-        for (int i = 0; i < 2; i++) NEAR(force[i], whole.direction[i], 1e-14);
-        NEAR(body == 0 ? moment : -moment, whole.couple[body], 1e-14);
-    }
-}
-
-/* Two circles of a belt, which may be alike. */
-static void belt_rows(int ground_side, double sense, double radius_a, double radius_b)
-{
-    pair x = make_pair(ground_side);
-    const int a = scene_circle(x.s, x.point[0], radius_a), b = scene_circle(x.s, x.point[1], radius_b);
-    scene_belt(x.s, PM_JOINT_BELT_GRIPS, a, b, sense, 30);
-    scene_joint(x.s, PM_JOINT_BELT, a, b, sense);
-    check_scene(x.s, 1);
-    if (x.s->w) {
-        pm_constraint belt[PM_JOINT_CONSTRAINTS], strand[PM_JOINT_CONSTRAINTS];
-        look(x.s->w, NULL, 0);
-        EQUAL(pm_joint_constraints(&x.s->w->frame, &x.s->w->state, 0, belt), 1);
-        EQUAL(pm_joint_constraints(&x.s->w->frame, &x.s->w->state, 1, strand), 2);
-        check_belt(x.s->w, belt, strand);
-    }
-    scene_free(x.s);
-}
-
-/* A cord over a rim that is on the ground, or on one of the bodies while an end is on the ground. */
-static void cord_rows(int rim_on)
-{
-    pair x = make_pair(-1);
-    const int sense[3] = {1, -1, rim_on == 0 ? 1 : -1};
-    const int away = scene_point(x.s, PM_GROUND, 1.9, -2.3);
-    const int ends[3][2] = {{x.point[0], x.point[1]}, {away, x.point[1]}, {x.point[0], away}};
-    const int rim = scene_point(x.s, rim_on - 1 < 0 ? PM_GROUND : x.body[rim_on - 1], 0.4, 2.6);
-    scene_cord_over(x.s, scene_circle(x.s, ends[rim_on][0], 0.11), scene_circle(x.s, ends[rim_on][1], 0.07),
-                    scene_circle(x.s, rim, 0.13), sense, 2, 0.3, 0.2);
-    check_cord(x.s);
     scene_free(x.s);
 }
 
@@ -445,11 +195,7 @@ int main(void)
         periodic_row(ground_side);
         pair_rows(ground_side, 0.3);
         pair_rows(ground_side, 0.65);
-        belt_rows(ground_side, 1, 0.31, 0.17);
-        belt_rows(ground_side, 1, 0.2, 0.2);
-        belt_rows(ground_side, -1, 0.31, 0.17);
     }
-    for (int rim_on = 0; rim_on < 3; rim_on++) cord_rows(rim_on);
     rolls_on_a_line();
     rolls_in_a_circle(1);
     rolls_in_a_circle(-1);

@@ -272,9 +272,7 @@ static void slides_on_a_box(int side, int lower_first)
 /* Let go on one edge it rocks to rest, without end in a finite time. */
 static void rocks_to_rest(int route, double tilt, double half_width, double half_height)
 {
-    scene *s = scene_create();
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, 1e-6);
+    scene *s = scene_by(route, 1e-6);
     const double c = cos(tilt), d = sin(tilt), side = tilt > 0 ? 1 : -1;
     const int b =
         scene_body(s, 3, half_width * half_width + half_height * half_height,
@@ -287,7 +285,7 @@ static void rocks_to_rest(int route, double tilt, double half_width, double half
         if (i == side) hit = scene_on(s, PM_TRIGGER_STRIKE, k);
     }
     scene_until(s, scene_on(s, PM_TRIGGER_REST, PM_NONE), 1);
-    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, hit));
+    const int count = scene_ask_count(s, hit);
     const int turned = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, b));
     EQUAL(scene_run(s, NULL), PM_OK);
     CHECK(isinf(s->out[count]));

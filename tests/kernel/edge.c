@@ -74,7 +74,7 @@ static void slides_off(int route)
     const int t_off = scene_ask_event(s, scene_read(s, scene_time(s)), off, 1, 0);
     const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
     const int t = scene_ask_measure(s, scene_time(s));
-    const int strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, struck));
+    const int strikes = scene_ask_count(s, struck);
     scene_start_velocity(s, g, v, 0);
     scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, floor), 1);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
@@ -217,7 +217,7 @@ static scene *thrown(const throw *x, int route)
     }
     scene_start_velocity(s, g, x->velocity[0], x->velocity[1]);
     scene_until_time(s, 0.7);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    scene_ask_count(s, event);
     scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_X));
     scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
     scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_NORM));

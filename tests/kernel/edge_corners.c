@@ -38,7 +38,7 @@ static void goes_over(int route, int friction, double speed)
               y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, f.g, PM_PART_Y));
     const int vx = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, f.g, PM_PART_X));
     const int omega = scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, f.body));
-    const int sticks = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, stick));
+    const int sticks = scene_ask_count(s, stick);
     scene_start_velocity(s, f.g, v, 0);
     scene_start_omega(s, f.body, friction == PM_FRICTION_ROUGH ? -v / f.r : 0);
     scene_until(s, off, 1);
@@ -70,8 +70,7 @@ static void comes_up(int route, int friction, int to)
               slip_before = scene_ask_extreme(
                   s, PM_ASK_MAX, scene_read(s, scene_measure(s, PM_MEASURE_CONTACT_SLIP, f.contact)),
                   PM_NONE),
-              opens = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, opened)),
-              strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, struck));
+              opens = scene_ask_count(s, opened), strikes = scene_ask_count(s, struck);
     scene_start_velocity(s, f.g, -side * v0 * cos(phi), v0 * sin(phi));
     scene_start_omega(s, f.body, friction == PM_FRICTION_ROUGH ? side * v0 / r : 0);
     scene_until(s,
@@ -150,9 +149,8 @@ static void round_a_square(int route, int friction, double way)
     const int end = scene_when(s, PM_TRIGGER_RISE, program);
     const int vx = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X)),
               vy = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y)),
-              at = scene_ask_measure(s, x),
-              strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, strike)),
-              opens = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, open));
+              at = scene_ask_measure(s, x), strikes = scene_ask_count(s, strike),
+              opens = scene_ask_count(s, open);
     scene_until(s, end, 1);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     EQUAL(scene_run(s, NULL), PM_OK);
@@ -189,7 +187,7 @@ static void over_a_joint(int route, double radius, int friction, double mu)
         const int ask[] = {scene_ask_measure(s, scene_time(s)),
                            scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_X)),
                            scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, b))};
-        const int strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, strike));
+        const int strikes = scene_ask_count(s, strike);
         *scene_setting(s, PM_SETTING_ROUTE) = route;
         EQUAL(scene_run(s, NULL), PM_OK);
         EQUAL(s->out[strikes], 0);
@@ -259,7 +257,7 @@ static void corner_comes_in(int route, int side)
     int contact[4];
     scene *s = box_on_a_ledge(-0.2, 1, 0, side, contact);
     const int struck = scene_on(s, PM_TRIGGER_STRIKE, contact[3]);
-    const int strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, struck));
+    const int strikes = scene_ask_count(s, struck);
     const int x =
         scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, scene_point(s, 0, 0, 0), PM_PART_X));
     scene_until_time(s, 1.2);

@@ -31,8 +31,7 @@ static result thrown(int what, int rods, int route, double accuracy)
     scene_until_time(s, 4);
     const int energy = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TOTAL, PM_NONE));
     const int angle = scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, body));
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    scene_route(s, route, accuracy);
     EQUAL(scene_run(s, NULL), PM_OK);
     const result x = {s->out[energy], s->out[angle], s->audit[PM_AUDIT_ENERGY]};
     scene_free(s);

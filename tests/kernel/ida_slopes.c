@@ -1,10 +1,8 @@
-/* The blocks of ida's Newton matrix on random scenes with every kind of force, each program reading measures of every kind, against
- * differences of what they are derivatives of, extrapolated twice (Richardson). */
+/* The blocks of ida's Newton matrix on random scenes with every kind of force, each program reading measures of every kind, against differences of what they are derivatives of, extrapolated twice (Richardson). */
 #include "check.h"
 #include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/measure.h"
-#include "elements/slope.h"
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "routes/ida/ida.h"
@@ -20,17 +18,20 @@ typedef struct marks {
 } marks;
 
 static double any(void) { return check_random(-1, 1); }
+
 static int one_of(int n) { return (int)check_random(0, n - 1e-9); }
 
 /* What is at (x, y) of a body at its start. */
 typedef struct pose {
     double x, y, angle;
 } pose;
+
 static pose seen(pose b, double x, double y)
 {
     return (pose){b.x + cos(b.angle) * x - sin(b.angle) * y, b.y + sin(b.angle) * x + cos(b.angle) * y,
                   b.angle};
 }
+
 static int body_at(scene *s, pose b)
 {
     return scene_body(s, check_random(0.5, 2), check_random(0.03, 0.3), b.x, b.y, b.angle);
@@ -118,6 +119,7 @@ static void plain_forces(scene *s, marks *x)
 
 /* A measure that forces may read: number n of so many. */
 enum { READ = 38 };
+
 static int measure(scene *s, const marks *x, int n)
 {
     const int body = x->body[one_of(BODIES)], other = x->body[one_of(BODIES)], point = x->point[one_of(10)];
@@ -269,6 +271,7 @@ static void along_constraints(pm_workspace *w, double *block, int rows, int stri
 }
 
 enum { LARGEST = 80 };
+
 static double by_place[MOST * LARGEST], by_place_rest[MOST * LARGEST];
 
 static void check_places(pm_workspace *w, double *y, double *yp, int n, int projects, int number)
@@ -352,61 +355,8 @@ static void random_scene(int number)
     scene_free(s);
 }
 
-/* At rest the size of the velocity has no derivative, and F = -(3 + 2 |v|) v has -3 all the same; what overflows in a peak has none
- * that counts. */
-static void program_without_derivative(void)
-{
-    scene *s = scene_create();
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_IDA;
-    const int body = scene_body(s, 1, 0, 0, 0, 0), point = scene_point(s, body, 0, 0);
-    const scene_code vx = scene_m(scene_part(s, PM_MEASURE_VELOCITY, point, PM_PART_X)),
-                     vy = scene_m(scene_part(s, PM_MEASURE_VELOCITY, point, PM_PART_Y)),
-                     x = scene_m(scene_part(s, PM_MEASURE_POSITION, point, PM_PART_X));
-    const scene_code mul = scene_op(PM_OP_MUL), add = scene_op(PM_OP_ADD);
-    const int drag = SCENE_PROGRAM(s, scene_k(s, 2), vx, vy, scene_op(PM_OP_HYPOT), mul, scene_k(s, 3), add,
-                                   vx, mul, scene_op(PM_OP_NEG));
-    const int peak =
-        SCENE_PROGRAM(s, scene_k(s, 1), scene_k(s, 1), x, add, scene_k(s, 1000), mul, scene_op(PM_OP_EXP),
-                      scene_k(s, 2), scene_op(PM_OP_POW), scene_op(PM_OP_DIV));
-    scene_applied(s, point, PM_GROUND, drag, peak);
-    if (EQUAL(scene_begin(s), PM_OK)) {
-        double y[MOST] = {0}, yp[MOST] = {0};
-        pm_ida_system_layout(s->w);
-        EQUAL(pm_ida_system_start(s->w, y, yp), PM_OK);
-        pm_ida_jacobian_evaluate(s->w, 0, 24, y, yp);
-        NEAR(s->w->ida->jacobian.damping[0], -3, 1e-6);
-        for (int i = 0; i < 9; i++) EQUAL(s->w->ida->jacobian.stiffness[i], 0);
-    }
-    scene_free(s);
-}
-
-/* Accelerations have no derivative in closed form: with those of the body as they are, a_x - alpha r_y - omega^2 r_x. */
-static void measure_without_derivative(void)
-{
-    scene *s = scene_create();
-    const int body = scene_body(s, 1, 0.2, 0.3, 0, 0), point = scene_point(s, body, 0.4, 0.7);
-    const int read = scene_part(s, PM_MEASURE_ACCELERATION, point, PM_PART_X);
-    scene_couple(s, body, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, 0.5)));
-    scene_start_omega(s, body, 1.5);
-    if (EQUAL(scene_begin(s), PM_OK)) {
-        pm_slope slope;
-        pm_arena arena = {NULL};
-        EQUAL(pm_slope_create(&arena, &slope, s->w->model), PM_OK);
-        CHECK(pm_measure_moves(s->w->model, read));
-        pm_measure_slope(s->w, read, 2, &slope);
-        NEAR(slope.v[2], 2 * -2 * 1.5 * 0.4, 1e-8);
-        NEAR(slope.q[2], 2 * (1.5 * 1.5 * 0.7 - 2.5 * 0.4), 1e-8);
-        NEAR(slope.q[0], 0, 1e-8);
-        EQUAL(s->w->frame.level, PM_LEVEL_DYNAMIC);
-        pm_arena_free(&arena);
-    }
-    scene_free(s);
-}
-
 int main(void)
 {
-    measure_without_derivative();
-    program_without_derivative();
     for (int i = 0; i < ROUNDS; i++) random_scene(i);
     return check_failures();
 }

@@ -76,7 +76,7 @@ static void answers(const view *w, double out[ANSWERS])
     const int kinetic = scene_ask_measure(s, scene_measure(s, PM_MEASURE_KINETIC, PM_NONE));
     const int reaction = scene_ask_extreme(
         s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)), PM_NONE);
-    const int strikes = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, strike));
+    const int strikes = scene_ask_count(s, strike);
     EQUAL(scene_run(s, NULL), PM_OK);
     const double px = s->out[x] / w->length, py = s->out[y] / w->length;
     out[0] = s->out[at] / w->time;

@@ -32,7 +32,7 @@ static int watched(watch *x, int kind, int program)
 {
     scene *s = x->s;
     const int i = x->n++, event = x->event[i] = scene_when(s, kind, program);
-    x->count[i] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    x->count[i] = scene_ask_count(s, event);
     x->first[i] = scene_ask_event(s, scene_read(s, scene_time(s)), event, 1, 0);
     return i;
 }
@@ -155,7 +155,7 @@ static void strikes_without_end(int route)
     for (int i = 0; i < 3; i++) {
         const int event = scene_on(s, PM_TRIGGER_STRIKE, x.contact);
         s->cell[PM_TABLE_EVENT][event * PM_EVENT_COLUMNS + PM_EVENT_NTH] = nth[i];
-        count[i] = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+        count[i] = scene_ask_count(s, event);
         if (i == 1) x.first[0] = scene_ask_event(s, scene_read(s, scene_time(s)), event, 1, 0);
     }
     scene_until_time(s, 2);

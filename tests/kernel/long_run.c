@@ -79,8 +79,7 @@ static void counts_swings(int route, int nth, int periods)
     const int rod = rod_of(s, 1.2), angle = scene_measure(s, PM_MEASURE_ANGLE, rod), time = scene_time(s),
               g = scene_point(s, rod, 0, 0);
     const int hangs = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, angle, -1.5707963267948966));
-    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, hangs)),
-              at = scene_ask_event(s, scene_read(s, time), hangs, nth, 0),
+    const int count = scene_ask_count(s, hangs), at = scene_ask_event(s, scene_read(s, time), hangs, nth, 0),
               way = scene_ask_measure(s, scene_measure(s, PM_MEASURE_PATH, g)),
               pull = scene_ask_extreme(s, PM_ASK_MAX,
                                        scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)),

@@ -25,8 +25,8 @@ static scene *swings(void)
     scene_until(s, low, 7);
     scene_ask_measure(s, scene_time(s));
     scene_ask_measure(s, omega);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, turns));
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, fast));
+    scene_ask_count(s, turns);
+    scene_ask_count(s, fast);
     scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_TIME, turns));
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, omega), PM_NONE);
     scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, angle), PM_NONE);
@@ -79,7 +79,7 @@ static scene *slider_crank(void)
     scene_ask_measure(s, scene_time(s));
     scene_ask_measure(s, omega_of(s, crank));
     scene_ask_measure(s, x);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, dead));
+    scene_ask_count(s, dead);
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, x), PM_NONE);
     scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, omega_of(s, crank)), PM_NONE);
     scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_NORM)),
@@ -156,7 +156,7 @@ static scene *multiples(void)
                                  SCENE_PROGRAM(s, scene_m(angle), scene_k(s, 0.2), scene_op(PM_OP_DIV)));
     scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_read(s, omega_of(s, b))), 4);
     scene_ask(s, PM_ASK_EACH, scene_read(s, scene_time(s)), every, 1, 0, PM_NONE, PM_NONE, 3);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, every));
+    scene_ask_count(s, every);
     scene_ask_event(s, scene_read(s, angle), every, 13, 0);
     scene_ask_event(s, scene_read(s, omega_of(s, b)), every, 14, 0);
     return s;
@@ -237,8 +237,7 @@ enum { SAMPLES = sizeof samples / sizeof *samples };
 static int run(maker *make, int route, double accuracy, double out[ANSWERS])
 {
     scene *s = make();
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    scene_route(s, route, accuracy);
     EQUAL(scene_run(s, NULL), PM_OK);
     const int n = s->nout < ANSWERS ? s->nout : ANSWERS;
     for (int i = 0; i < n; i++) {

@@ -40,8 +40,7 @@ static void periods(void)
                   speed = scene_ask_event(s, scene_read(s, omega), low, 1, 0),
                   at_low_again = scene_ask_event(s, scene_read(s, time), low, 4, 0),
                   at_turn = scene_ask(s, PM_ASK_EACH, scene_read(s, time), turn, 1, 0, PM_NONE, PM_NONE, 4),
-                  backs = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, back)),
-                  forths = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, forth)),
+                  backs = scene_ask_count(s, back), forths = scene_ask_count(s, forth),
                   lowest = scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, angle), PM_NONE),
                   total = scene_ask_measure(s, scene_measure(s, PM_MEASURE_TOTAL, PM_NONE));
         EQUAL(scene_run(s, NULL), PM_OK);
@@ -110,8 +109,7 @@ static void two_roots(void)
                   above = scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, y, 1 + depth));
         scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, angle, 6)), 1);
         const int at = scene_ask(s, PM_ASK_EACH, scene_read(s, angle), cross, 1, 0, PM_NONE, PM_NONE, 2),
-                  n = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, cross)),
-                  none = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, above)),
+                  n = scene_ask_count(s, cross), none = scene_ask_count(s, above),
                   top = scene_ask_extreme(s, PM_ASK_MAX, scene_read(s, y), PM_NONE);
         EQUAL(scene_run(s, NULL), PM_OK);
         const double half = acos(1 - depth);

@@ -55,7 +55,7 @@ static void a_peak_of_speed(int route, double a, double width)
     scene *s = rod_on_pin(route, 1, PM_MEASURE_OMEGA, &read);
     const int program = SCENE_PROGRAM(s, K(0.5 * width), U, K(-a), SUB, ABS, SUB);
     const int event = scene_when(s, PM_TRIGGER_RISE, program);
-    const int out = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    const int out = scene_ask_count(s, event);
     EQUAL((int)answer(s, out), 2);
 }
 
@@ -90,7 +90,7 @@ static void stairs(int route, int n)
     const int program = SCENE_PROGRAM(s, U, K(n), scene_op(PM_OP_MUL), U, K(n), scene_op(PM_OP_MUL),
                                       scene_op(PM_OP_FLOOR), SUB, K(0.5), SUB);
     const int event = scene_when(s, PM_TRIGGER_RISE, program);
-    const int out = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    const int out = scene_ask_count(s, event);
     EQUAL((int)answer(s, out), 3 * n);
 }
 

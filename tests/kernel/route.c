@@ -62,7 +62,7 @@ static scene *ball(void)
     scene_start_velocity(s, p, 1, 1);
     scene_until(s, strike, 3);
     scene_ask_measure(s, scene_time(s));
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, height));
+    scene_ask_count(s, height);
     scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y));
     return s;
 }
@@ -107,8 +107,7 @@ enum { MAKERS = sizeof makers / sizeof *makers };
 static int run(maker *make, int route, double accuracy, double out[3])
 {
     scene *s = make();
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, accuracy);
+    scene_route(s, route, accuracy);
     const int status = scene_run(s, NULL);
     for (int i = 0; i < 3; i++) out[i] = s->out[i];
     if (status == PM_OK) {
@@ -166,8 +165,7 @@ static void by_differences(int route, double h, double out[5])
 {
     static const double weight[] = {48, -36, 16, -3};
     scene *s = two_rods();
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, route == PM_ROUTE_IDA ? 1e-10 : 1e-13);
+    scene_route(s, route, route == PM_ROUTE_IDA ? 1e-10 : 1e-13);
     const int tip = scene_point(s, 1, 0.5, 0), a = scene_point(s, 0, 0, 0), b = scene_point(s, 1, 0, 0);
     const int start = scene_on(s, PM_TRIGGER_START, PM_NONE),
               later =
@@ -215,8 +213,7 @@ static void caught(double stiffness, double out[3])
     if (stiffness > 0) {
         const int spring = scene_force(s, PM_FORCE_SPRING, end, hook, stiffness, reach);
         scene_force(s, PM_FORCE_DAMPER, end, hook, 2 * z * sqrt(stiffness * felt), 0);
-        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-        scene_set(s, PM_SETTING_ACCURACY, 1e-10);
+        scene_route(s, PM_ROUTE_RK, 1e-10);
         const int stretch = scene_read(s, scene_measure(s, PM_MEASURE_FORCE_STRETCH, spring));
         scene_until(s, scene_when(s, PM_TRIGGER_FALL, stretch), 1);
     } else {
@@ -256,8 +253,7 @@ static void routes_agree(void)
 static void dense_output(int route, double tolerance)
 {
     scene *s = swing();
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, 1e-9);
+    scene_route(s, route, 1e-9);
     if (CHECK(scene_begin(s) == PM_OK)) {
         pm_workspace *w = s->w;
         const int nq = w->model->nq;

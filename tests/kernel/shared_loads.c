@@ -148,7 +148,7 @@ static void blows_without_end(void)
         if (k == 0) hit = scene_on(s, PM_TRIGGER_STRIKE, c);
     }
     scene_until_time(s, 1);
-    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, hit));
+    const int count = scene_ask_count(s, hit);
     const int load = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_NORMAL, 0));
     EQUAL(scene_run(s, NULL), PM_OK);
     CHECK(isinf(s->out[count]));

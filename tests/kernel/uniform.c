@@ -154,7 +154,7 @@ static void routes_agree(void)
 {
     for (int i = 0; i < MAKERS; i++) {
         scene *a = makers[i](1), *b = makers[i](1);
-        settle(b, PM_ROUTE_RK, 1e-13);
+        scene_route(b, PM_ROUTE_RK, 1e-13);
         EQUAL(scene_run(b, NULL), PM_OK);
         if (runs_uniformly(a))
             for (int k = 0; k < a->nout; k++) NEAR(a->out[k], b->out[k], 2e-12 * (1 + fabs(b->out[k])));
@@ -185,7 +185,7 @@ static void same_bits(void)
     scene *s = throw_of(1);
     scene_open(s);
     static const double none = 0;
-    settle(s, PM_ROUTE_UNIFORM, 1e-11);
+    scene_route(s, PM_ROUTE_UNIFORM, 1e-11);
     EQUAL(scene_open(s), PM_OK);
     for (int i = 0; i < 3; i++) {
         EQUAL(pm_run(s->w, &none), PM_OK);
@@ -265,9 +265,9 @@ static void applies_where_it_should(void)
         case 6: scene_line_force(s, g, scene_point(s, PM_GROUND, 1, 1), one); break;
         default: scene_force(s, PM_FORCE_DAMPER, g, scene_point(s, PM_GROUND, 0, 0), 1, 0); break;
         }
-        settle(s, PM_ROUTE_UNIFORM, 1e-11);
+        scene_route(s, PM_ROUTE_UNIFORM, 1e-11);
         EQUAL(scene_run(s, NULL), PM_UNSUPPORTED);
-        settle(s, PM_ROUTE_AUTO, 1e-11);
+        scene_route(s, PM_ROUTE_AUTO, 1e-11);
         EQUAL(scene_run(s, NULL), PM_OK);
         CHECK(s->count[PM_COUNT_ROUTE] != PM_ROUTE_UNIFORM);
         scene_free(s);
@@ -354,8 +354,7 @@ static void tumbles(void)
 static void no_motion(void)
 {
     for (int what = 0; what < 3; what++) {
-        scene *s = scene_create();
-        settle(s, PM_ROUTE_AUTO, 1e-11);
+        scene *s = scene_by(PM_ROUTE_AUTO, 1e-11);
         const int b = scene_body(s, 2, 0.1, 0, 0.1, 0), p = scene_point(s, b, 0, 0),
                   end = scene_point(s, b, 0.3, 0);
         scene_start_velocity(s, p, 1, -2);
@@ -375,7 +374,7 @@ static void no_motion(void)
         scene_free(s);
     }
     scene *s = rod(1, 1, 1, 0.3, 0);
-    settle(s, PM_ROUTE_STATE, 1e-11);
+    scene_route(s, PM_ROUTE_STATE, 1e-11);
     EQUAL(scene_run(s, NULL), PM_UNSUPPORTED);
     scene_free(s);
 }

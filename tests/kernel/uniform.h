@@ -9,16 +9,10 @@
 #define G 9.81
 #define CLOSE 1e-12
 
-static inline void settle(scene *s, int route, double accuracy)
-{
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    scene_set(s, PM_SETTING_ACCURACY, accuracy);
-}
-
 /* The case runs, by constant accelerations throughout. */
 static inline int runs_uniformly(scene *s)
 {
-    settle(s, PM_ROUTE_UNIFORM, 1e-11);
+    scene_route(s, PM_ROUTE_UNIFORM, 1e-11);
     EQUAL(scene_run(s, NULL), PM_OK);
     CHECK(s->audit[PM_AUDIT_ENERGY] < CLOSE && s->audit[PM_AUDIT_MOMENTUM] < CLOSE);
     CHECK(s->audit[PM_AUDIT_CONSTRAINT] < CLOSE);

@@ -25,7 +25,7 @@ static scene *bouncing(double e, double slope, double h, double v, int friction,
     scene_until(s, rest, 1);
     scene_ask_measure(s, scene_time(s));
     scene_ask_event(s, scene_read(s, scene_time(s)), strike, 1, 0);
-    scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, strike));
+    scene_ask_count(s, strike);
     scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, p, PM_PART_X));
     scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_X));
     if (listed > 0)
@@ -86,7 +86,7 @@ static void zeno_one_by_one(void)
         scene *a = bouncing(e, x[i].slope, 0.4, x[i].v, x[i].friction, x[i].mu, x[i].omega, 0);
         scene *b = bouncing(e, x[i].slope, 0.4, x[i].v, x[i].friction, x[i].mu, x[i].omega, LISTED);
         if (runs_uniformly(a)) CHECK(a->count[PM_COUNT_STEPS] < 70);
-        settle(b, PM_ROUTE_UNIFORM, 1e-11);
+        scene_route(b, PM_ROUTE_UNIFORM, 1e-11);
         EQUAL(scene_run(b, NULL), PM_OK);
         const double size = 1 + fabs(a->out[TIME]), a_n = G * cos(x[i].slope);
         NEAR(b->out[TIME], a->out[TIME], CLOSE * size);
@@ -191,8 +191,8 @@ static void sees_tops(void)
         scene_until(s, scene_on(s, PM_TRIGGER_STRIKE, c), 4);
         const int top = scene_when(s, PM_TRIGGER_FALL, scene_minus(s, vy, 0)),
                   high = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, y, height + r));
-        scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, top));
-        scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, high));
+        scene_ask_count(s, top);
+        scene_ask_count(s, high);
         if (runs_uniformly(s)) {
             EQUAL(s->out[0], 3);
             EQUAL(s->out[1], (e * e > height) + (pow(e, 4) > height) + (pow(e, 6) > height));

@@ -89,7 +89,7 @@ static scene *rod_on_pin(int route, int *turned)
 /* How often the event fires until it has turned by `end`; the scene is gone then. */
 static double counted(scene *s, int event, int turned, double end)
 {
-    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    const int count = scene_ask_count(s, event);
     scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, end)), 1);
     EQUAL(scene_run(s, NULL), PM_OK);
     const double result = s->out[count];

@@ -13,7 +13,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests import STUDIES
-from tests.mechanics.test_curve_pairs import Body, thrown
+from tests.mechanics.curve_throws import Body, thrown
 from tests.scenes import ROUTES, G, answers, close
 
 ORDERS = (False, True)

@@ -1,4 +1,4 @@
-"""Faults planted in `kernel/equations/`."""
+"""Faults planted in `kernel/equations/`: the system that is solved, its loads and its ledger."""
 
 from tests.faults.fault import Fault
 
@@ -14,42 +14,6 @@ FAULTS = [
         "equations/saddle.c",
         "for (int p = 0; p < pm_constraint_bodies(a); p++) {",
         "for (int p = 0; p < 2; p++) {",
-    ),
-    Fault(
-        "curves: the foot of a contact is not followed",
-        "equations/active_set.c",
-        "if (c->curve != PM_NONE) c->foot = m->nmemory - m->nslot + slot;",
-        "if (c->curve != PM_NONE && slot < 0) c->foot = m->nmemory - m->nslot + slot;",
-    ),
-    Fault(
-        "curves: the members of contacts are not followed",
-        "equations/active_set_memory.c",
-        "follow_members(frame, s);\n    follow_slack",
-        "follow_slack",
-    ),
-    Fault(
-        "a constraint that depends on later ones is kept",
-        "equations/active_set.c",
-        "if (depends != PM_DEPENDENCE_FOR_GOOD) move_back(",
-        "move_back(",
-    ),
-    Fault(
-        "a constraint of which little is left stands before one that holds much",
-        "equations/active_set.c",
-        "for (int round = basis ? 0 : 1;",
-        "for (int round = 1;",
-    ),
-    Fault(
-        "capture: lets go when it would pull",
-        "equations/active_set.c",
-        "status = append_captured(w, basis)",
-        "status = PM_OK",
-    ),
-    Fault(
-        "cord: slack ones are not followed",
-        "equations/active_set_memory.c",
-        "follow_slack_cords(frame, s); }",
-        "}",
     ),
     Fault(
         "shared: normal and friction of a contact are judged apart",
@@ -88,25 +52,6 @@ FAULTS = [
         "x->cost[i] -= weight_of(",
     ),
     Fault(
-        "rows: what holds a body fast leaves nothing redundant",
-        "equations/dependence.c",
-        "return rest.left <= PM_INDEPENDENT ? pm_dependence_nearby(w, c, depends) : PM_OK;",
-        "return PM_OK;",
-    ),
-    Fault(
-        "rows: a redundant row stays",
-        "equations/dependence.c",
-        "*depends = rest.left < PM_DEPENDENT_NEARBY",
-        "*depends = 0",
-    ),
-    Fault(
-        "mode: friction along the slip",
-        "equations/active_set.c",
-        "PM_SLIDE_FORWARD ? -mu : mu",
-        "PM_SLIDE_FORWARD ? mu : -mu",
-    ),
-    Fault("joint: rows are those of no case", "equations/case.c", "pm_joint_compose(&w->frame);", ";"),
-    Fault(
         "rk: energy is taken instead of returned",
         "equations/energy_level.c",
         "1 + missing / kinetic",
@@ -117,105 +62,6 @@ FAULTS = [
         "equations/energy_level.c",
         "only_potentials(w->model, &w->state) && !pm_active_set_is_driven",
         "!pm_active_set_is_driven",
-    ),
-    Fault(
-        "fixed: no case is searched",
-        "equations/fixed_bodies.c",
-        "x->possible = x->n > 0;",
-        "x->possible = 0;",
-    ),
-    Fault(
-        "fixed: rows that nearly depend hold",
-        "equations/fixed_bodies.c",
-        "WIDE, PM_CLEARLY_INDEPENDENT}",
-        "WIDE, 0}",
-    ),
-    Fault(
-        "fixed: a joint that may go holds",
-        "equations/fixed_bodies.c",
-        "pm_model_is_changed(m, PM_TABLE_JOINT, i) || ",
-        "",
-    ),
-    Fault(
-        "fixed: reactions are not told",
-        "equations/fixed_bodies.c",
-        "fixed->is_asked[e[PM_MEASURE_A]] = 1;",
-        ";",
-    ),
-    Fault(
-        "fixed: contacts of fixed bodies stay",
-        "equations/fixed_bodies.c",
-        "any |= let_go(w, &normal);",
-        ";",
-    ),
-    Fault(
-        "fixed: what is pushed stays",
-        "equations/fixed_bodies.c",
-        "let_move(m, fixed, PM_TABLE_ACTION, i);",
-        ";",
-    ),
-    Fault(
-        "fixed: what moves holds",
-        "equations/fixed_bodies.c",
-        "if (!w->numbers.fixed[other] && place <= i) continue;",
-        "if (place == i) continue;",
-    ),
-    Fault(
-        "reach: a chain is as short as its last rod",
-        "equations/gap_bounds.c",
-        ".high = r + x->high,",
-        ".high = r,",
-    ),
-    Fault("reach: a link has no length", "equations/gap_bounds.c", "from.high + length;", "from.high;"),
-    Fault(
-        "reach: a joint that may go holds",
-        "equations/gap_bounds.c",
-        "if (pm_model_is_changed(w->model, PM_TABLE_JOINT, joint)) return 0;",
-        "",
-    ),
-    Fault(
-        "reach: a hole is a ball",
-        "equations/gap_bounds.c",
-        "if (side > 0) return least_distance",
-        "return least_distance",
-    ),
-    Fault(
-        "reach: nothing is too near",
-        "equations/gap_bounds.c",
-        "fmax(r - x->high, x->low - r)",
-        "fmax(r + x->high, x->low - r)",
-    ),
-    Fault("reach: a plate hangs still", "equations/gap_bounds.c", "if (!b->fixed) {", "if (0) {"),
-    Fault("reach: edges have no end", "equations/gap_bounds.c", "hypot(fmax(beyond, 0), ", "hypot(0, "),
-    Fault(
-        "pairs of curves: a line is as long as a curve of the scene",
-        "equations/case.c",
-        "== roads && !pm_curve_is_endless(m, i))",
-        "== roads)",
-    ),
-    Fault(
-        "curves: a long road makes the scene large",
-        "equations/case.c",
-        "size = fmax(size_of_curves(frame, 0), size);",
-        "size = fmax(size_of_curves(frame, 1), fmax(size_of_curves(frame, 0), size));",
-    ),
-    Fault(
-        "pairs of curves: the second is a line without ends",
-        "equations/case.c",
-        "if (touches_endless(m, e))",
-        "if (0)",
-    ),
-    Fault(
-        "start: a zero is rounded as itself",
-        "equations/start.c",
-        "return slope * speed;",
-        "return 0 * slope * speed;",
-    ),
-    Fault(
-        "start: bodies go a little way at a time, however they turn",
-        "equations/start_positions.c",
-        "if (turn <= PM_ASSEMBLY_LONGEST) {",
-        "if (most <= PM_ASSEMBLY_LONGEST) {",
     ),
     Fault(
         "start: a block of joints pushed the wrong way",
@@ -289,12 +135,6 @@ FAULTS = [
         "least_pivot(s) < PM_LIGHT_LEAST_PIVOT",
         "0",
     ),
-    Fault(
-        "light: rows of light bodies count as dependent",
-        "equations/case.c",
-        "fmin(numbers->inverse_mass[i], 1 / (PM_LIGHT_METRIC * whole))",
-        "numbers->inverse_mass[i]",
-    ),
     Fault("massless: a stand-in stays", "equations/saddle.c", "+ w->numbers.stand_in[i] * before[i]", ""),
     Fault(
         "joint friction: one round of friction",
@@ -352,19 +192,6 @@ FAULTS = [
     ),
     Fault("recall: factors of other rows", "equations/saddle.c", "if (x->j[k] != c->j[k]) return 0;", ";"),
     Fault("recall: factors of other bodies", "equations/saddle.c", "x->body[p] != c->body[p]", "0"),
-    Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
-    Fault(
-        "start: open motions pass",
-        "equations/start.c",
-        "&& rest.left > PM_START_OPEN_PART",
-        "&& rest.left > 2",
-    ),
-    Fault(
-        "action: what begins absent is there",
-        "equations/start.c",
-        "e[PM_ACTION_A])] = 1",
-        "e[PM_ACTION_A])] = 0",
-    ),
     Fault(
         "audit: blind where rounding is great",
         "equations/ledger.c",
@@ -379,39 +206,9 @@ FAULTS = [
     ),
     Fault("audit: blind at loose accuracy", "equations/ledger.c", "PM_LEDGER_MOST * (", "1e3 * ("),
     Fault(
-        "case: values that read values stay as they were",
-        "equations/case_values.c",
-        "x.op == PM_OP_PARAMETER || (x.op == PM_OP_VALUE && plan->is_varied[x.arg])",
-        "x.op == PM_OP_PARAMETER",
-    ),
-    Fault(
-        "case: constants are checked once",
-        "equations/case_values.c",
-        "if (!status) x->settled = 1;",
-        "x->settled = 1;",
-    ),
-    Fault(
-        "case: rows of any length",
-        "equations/case_values.c",
-        "PM_PATTERN_COUNT, -INFINITY, PM_MOST_MEMBERS",
-        "PM_PATTERN_COUNT, -INFINITY, INFINITY",
-    ),
-    Fault(
         "shared: infinite values differ",
         "equations/shared_reading.c",
         "const int same = after == before || (isnan(after) && isnan(before));",
         "const int same = isnan(after) && isnan(before);",
-    ),
-    Fault(
-        "start: a belt runs round circles that reach over each other",
-        "equations/start_positions.c",
-        "status = belt ? check_strand",
-        "status = belt ? PM_OK : kind < 0 ? check_strand",
-    ),
-    Fault(
-        "case: the pressure angle of teeth has no bound",
-        "equations/case.c",
-        "if (ops->flanks && w->numbers.value[e[PM_JOINT_VALUE_2]] > PM_PRESSURE_MOST)",
-        "if (0)",
     ),
 ]

@@ -1,0 +1,215 @@
+"""Faults planted in `kernel/impact/`: blows that are followed through their course."""
+
+from tests.faults.fault import Fault
+
+FAULTS = [
+    Fault(
+        "painleve: what nearly jams is not struck",
+        "impact/impact_followed.c",
+        "if (w->instant.jams && is_near(w, x, i))",
+        "if (0)",
+    ),
+    Fault(
+        "painleve: others are pressed in by an impact without collision",
+        "impact/impact_followed.c",
+        "if (!draws || !pm_impact_others_part(w, b, b->shock))",
+        "if (!draws)",
+    ),
+    Fault(
+        "painleve: none that jams is found",
+        "impact/impact_followed.c",
+        "return one.slip * one.b > 0 && one.mu_kinetic >=",
+        "return one.slip * one.b < 0 && one.mu_kinetic >=",
+    ),
+    Fault(
+        "the slip of a joint that ends in a blow is passed over",
+        "impact/contact_course.c",
+        "s = fmin(s, until_none(x->velocity[2 * x->n + k], x->joint[k].rate));",
+        "(void)k;",
+    ),
+    Fault(
+        "at once, the slip of a joint before the blow decides",
+        "impact/contact_course.c",
+        "x->joints.joint[k].slips = 0;",
+        "(void)k;",
+    ),
+    Fault(
+        "impact: friction drives the slip",
+        "impact/impact_course.c",
+        "-copysign(x->mu_kinetic,",
+        "copysign(x->mu_kinetic,",
+    ),
+    Fault(
+        "impact: what has stopped holds", "impact/impact_course.c", "fabs(x->b) <= x->mu_static * x->c", "1"
+    ),
+    Fault("impact: slip does not end", "impact/impact_course.c", "now->slip * now->rate_t < 0 ?", "0 ?"),
+    Fault(
+        "impact: restitution of the whole impulse",
+        "impact/impact_course.c",
+        "(1 + e) * now.impulse",
+        "2 * e * now.impulse",
+    ),
+    Fault("impact: restitution of the work", "impact/impact_course.c", "-e * e * now.work", "-e * now.work"),
+    Fault(
+        "impact: joints do not hold",
+        "impact/impact_course.c",
+        "pm_saddle_respond_roughly(w, force, x);",
+        "memcpy(x, force, (size_t)w->model->nq * sizeof *x);",
+    ),
+    Fault(
+        "impact: what slips and approaches in one way goes on by rounding",
+        "impact/impact_course.c",
+        "(until == until_speed && ends_with_slip(x, now, bound))",
+        "0",
+    ),
+    Fault(
+        "course: compression keeps no pace",
+        "impact/contact_course_stretch.c",
+        "c->pace = normal < 0 ? -normal : 0;",
+        "c->pace = normal < 0 ? 1 : 0;",
+    ),
+    Fault(
+        "course: a slip that ends goes on",
+        "impact/contact_course.c",
+        "s = fmin(s, fmin(until_slip_ends(c, u[1]), until_met(c, u[0])));",
+        "s = fmin(s, until_met(c, u[0]));",
+    ),
+    Fault(
+        "course: a slip that ends with the stretch but for rounding goes on",
+        "impact/contact_course.c",
+        "s > 1 - PM_COURSE_SAME ? 1 : s",
+        "0 ? 1 : s",
+    ),
+    Fault(
+        "course: a slip of rounding goes on",
+        "impact/contact_course.c",
+        "slip_of(x, u[1] + c->rate[1] * s)",
+        "u[1] + c->rate[1] * s",
+    ),
+    Fault(
+        "course: slips that end in turn are given up soon",
+        "impact/contact_course.c",
+        "const int most = PM_COURSE_EVENTS * (x->n + x->m + 1);",
+        "const int most = 0.04 * PM_COURSE_EVENTS * (x->n + x->m + 1);",
+    ),
+    Fault(
+        "course: what has parted is not met again",
+        "impact/contact_course.c",
+        "return normal > 0 ? until_none(normal, c->rate[0]) : UNLIMITED;",
+        "return UNLIMITED;",
+    ),
+    Fault(
+        "course: Poisson gives the impulse of compression once more",
+        "impact/contact_course.c",
+        "c->left[0] = e * c->load;",
+        "c->left[0] = c->load;",
+    ),
+    Fault(
+        "course: Stronge gives e times the work",
+        "impact/contact_course.c",
+        "c->left[1] = -e * e * c->work;",
+        "c->left[1] = -e * c->work;",
+    ),
+    Fault(
+        "course: Newton's restitution ends at the velocity of approach",
+        "impact/contact_course.c",
+        "(-c->restitution * c->before - normal)",
+        "(-c->before - normal)",
+    ),
+    Fault(
+        "course: energy that is gained is kept",
+        "impact/contact_course.c",
+        "x->limited = given(x, x->impulse) > 0;",
+        "x->limited = 0;",
+    ),
+    Fault(
+        "course: friction with the slip",
+        "impact/contact_course_stretch.c",
+        "p->slips = u[1] > 0 ? 1 : -1;",
+        "p->slips = u[1] > 0 ? -1 : 1;",
+    ),
+    Fault(
+        "course: a bounce that is over keeps its velocity",
+        "impact/contact_course.c",
+        "x->contact[i].is_spent && x->velocity[2 * i] > 0",
+        "0",
+    ),
+    Fault(
+        "course: what rough contacts lose goes by halves",
+        "impact/contact_course.c",
+        "x->impulse[x->of[r]] = x->plastic[r];",
+        "x->impulse[x->of[r]] = 0.5 * x->plastic[r];",
+    ),
+    Fault(
+        "followed: contacts are not in the ledger",
+        "impact/impact_followed.c",
+        "pm_ledger_contact(w, direction(x, i), b->course.impulse[i], b->before);",
+        ";",
+    ),
+    Fault(
+        "shock: friction that does not draw strikes, too",
+        "impact/impact_course.c",
+        "return now.slip != 0 && now.rate_n <= 0;",
+        "return now.slip != 0;",
+    ),
+    Fault(
+        "shock: no impulse along the contact",
+        "impact/impact_followed.c",
+        "c->impulse[2 * i + 1] = end.ratio * end.impulse;",
+        "",
+    ),
+    Fault(
+        "shock: others are pressed into what they touch",
+        "impact/impact_followed.c",
+        "if (x->slot[i] != slot && rate < -pm_contact_speed(&w->frame)) return 0;",
+        "(void)rate;",
+    ),
+    Fault(
+        "shock: the response of the tangent to the normal is that of itself",
+        "impact/impact_followed.c",
+        ".b = own[1],",
+        ".b = own[0],",
+    ),
+    Fault(
+        "shock: friction that just does not draw strikes nothing",
+        "impact/impact_followed.c",
+        "if (w->instant.jams && is_near(w, x, i)) one.mu_static = one.mu_kinetic =",
+        "if (0) one.mu_static = one.mu_kinetic =",
+    ),
+    Fault(
+        "course: newton's restitution is left out",
+        "impact/impact_course.c",
+        "follow_phase(x, &now, until_speed, -e * x->normal)",
+        "follow_phase(x, &now, until_speed, 0)",
+    ),
+    Fault(
+        "course: what has parted pushes",
+        "impact/contact_course_stretch.c",
+        "if (u[0] > 0 && c->pace == 0) continue;",
+        "",
+    ),
+    Fault(
+        "course: a restitution does not end",
+        "impact/contact_course.c",
+        "if (c->rebounds && until_spent(c, u[0]) <= now) c->rebounds = 0;",
+        "if (c->rebounds && until_spent(c, u[0]) < now) c->rebounds = 0;",
+    ),
+    Fault(
+        "springs: what rests is only held",
+        "impact/impact_followed.c",
+        "return c->exponent > 0 ? pm_last_bounce_restitution(w, contact, -b->approach) : 0;",
+        "return 0;",
+    ),
+    Fault(
+        "springs: one stiffness is enough",
+        "impact/impact_followed.c",
+        "pm_contact_of_slot(w->model, x->slot[i])) > 0)) return 0;",
+        "pm_contact_of_slot(w->model, x->slot[i])) >= 0)) return 0;",
+    ),
+    Fault(
+        "springs: the order is still open",
+        "impact/impact_followed.c",
+        "if (c->exponent > 0) b->several = 0;",
+        "",
+    ),
+]

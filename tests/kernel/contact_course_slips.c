@@ -1,0 +1,89 @@
+/* Slips that end in the course of a blow: in turn, for good, wedged. */
+#include <string.h>
+
+#include "check.h"
+#include "course_problem.h"
+#include "impact/contact_course.h"
+#include "state/arena.h"
+
+#define CLOSE 1e-9
+
+/* One body whose blow asks for much: at places on it, with lines at these angles. */
+static problem one_body(int law, double mass, double inertia, const double velocity[3], int n,
+                        const double (*at)[5])
+{
+    problem x = {.inverse = {1 / mass, 1 / mass, 1 / inertia, 1, 1, 1}};
+    memcpy(x.velocity, velocity, 3 * sizeof *velocity);
+    for (int i = 0; i < n; i++) {
+        add_contact(&x, at[i][0], at[i][1], at[i][2], law);
+        x.mu[i] = at[i][3], x.e[i] = at[i][4];
+    }
+    return x;
+}
+
+/* Two slips end in turn, each time after 0.76 of the time before, and then both hold: as tests/stress/contacts/course.py has it. */
+static void slips_end_in_turn(void)
+{
+    const double at[2][5] = {{0.007202130280657255, -0.24407644630544972, 9.316825951963871,
+                              0.9762848837580984, 0.8393028401010101},
+                             {0.12470246162114376, -0.2785006485900891, 9.81371724921367, 0.9113911731555072,
+                              0.43643356239724407}};
+    const double before[3] = {-1.3129789806376428, 0.841340797970912, -1.9443501820124132},
+                 expected[3] = {-0.35141468849291096, -0.716674623833637, 1.9572451697082835};
+    const problem x = one_body(PM_LAW_POISSON, 2.192017060693545, 0.08508079061194995, before, 2, at);
+    double after[6];
+    EQUAL(follow(&x, after), 1);
+    for (int q = 0; q < 3; q++) NEAR(after[q], expected[q], 1e-8);
+}
+
+/* Compression stops the body for good: all slips end with it, though rounding puts them a little before or after. */
+static void stopped_for_good(void)
+{
+    const double at[3][5] = {
+        {-0.4387404282328529, 0.16908535721363596, 3.574130982724302, 0.4255028153273718,
+         0.24769512941912497},
+        {-0.44060948954248375, -0.17112670761725465, 4.70331632220247, 0.6705514547994152, 0},
+        {-0.09994420582047472, -0.24793335753822004, 9.538457368014207, 1.0508730090322786,
+         0.2089265117077318}};
+    const double before[3] = {-1.19819577065374, -0.13103676657655755, -3.2629530373868763},
+                 expected[3] = {0.07513476011421791, -0.06805039688764243, 1.2837861032427798};
+    for (int k = 0; k < 300; k++) {
+        problem x = one_body(PM_LAW_POISSON, 4.107565568743859, 0.054879924191479086, before, 3, at);
+        double after[6];
+        for (int q = 0; q < 3; q++) {
+            x.velocity[q] *= 1 + check_random(-4e-16, 4e-16);
+            for (int i = 0; i < 6; i++) x.jacobian[i][q] *= 1 + check_random(-4e-16, 4e-16);
+        }
+        EQUAL(follow(&x, after), 1);
+        for (int q = 0; q < 3; q++) NEAR(after[q], expected[q], CLOSE);
+    }
+}
+
+/* Two slips end in turn until the body is wedged: none of those slips that are less than counts as slip ends once more, when
+ * restitution has parted the contacts by as much as nothing.  There no motion obeys the law, and not several. */
+static void wedged_by_slips_in_turn(void)
+{
+    const double at[4][5] = {
+        {-0.1642068070022505, 0.06696809389876886, 4.857365163562014, 1.1628578849254945,
+         0.05757255339938483},
+        {-0.44591539086775706, -0.017014436821950096, 5.2057904596061615, 0.8956750767667209,
+         0.26260288174176794},
+        {-0.0029685157206231425, -0.1313227240387858, 6.537202404032805, 0.7662528507589383,
+         0.04438177273126487},
+        {0.13819705955182207, -0.39891357064506766, 5.880117009583794, 0, 0.08573778175166358}};
+    const double before[3] = {-0.6856497435183405, -0.34459953355575523, 1.2350441470395102};
+    const problem x = one_body(PM_LAW_STRONGE, 1.6672725109704871, 0.16892482028737277, before, 4, at);
+    pose(&x);
+    course.no_slip = 3e-11;
+    EQUAL(pm_contact_course_follow(&course), 0);
+}
+
+int main(void)
+{
+    EQUAL(pm_contact_course_create(&course, &memory, MOST, 0), 0);
+    slips_end_in_turn();
+    stopped_for_good();
+    wedged_by_slips_in_turn();
+    pm_arena_free(&memory);
+    return check_failures();
+}
