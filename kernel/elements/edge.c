@@ -7,8 +7,6 @@
  * no contact (pm_edge_touches).  As long as a mark is below the face what is watched is
  *   beyond    sqrt(o^2 + h^2) - R           within    R - h
  * which falls through zero where it touches a corner, where it comes through the face, or comes over it from beyond.
- * The corner of a body that lies in part behind the face goes over an end (goes_over_end): for it the edge ends a little sooner,
- * so that a gap falls through zero only where something touches.
  * A corner is a circle of radius 0: where a circle goes over to it from the face both
  * have the same normal.
  *
@@ -49,6 +47,17 @@ pm_edge_place pm_edge_beside(const pm_frame *frame, int contact)
                            .from = end_of(frame, contact, PM_CONTACT_FROM) - along - reach,
                            .to = along - end_of(frame, contact, PM_CONTACT_TO) - reach,
                            .along = {t[0], t[1]}};
+}
+
+double pm_edge_gap(const pm_frame *frame, int contact, int *member)
+{
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    const double beyond = fmax(x.from, x.to);
+    *member = PM_SEGMENT_FACE;
+    if (beyond <= 0) return fmax(x.height - x.radius, beyond);
+    if (x.radius > 0) *member = x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+    const double gap = hypot(beyond, x.height) - x.radius;
+    return x.height < 0 ? fmin(gap, beyond) : gap;
 }
 
 int pm_edge_is_below(const pm_frame *frame, int contact)
@@ -114,26 +123,6 @@ static int goes_over_end(const pm_frame *frame, int contact, const pm_edge_place
         if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;
     }
     return 0;
-}
-
-/* How far the mark is beyond the edge, which ends sooner for what goes over its end: that does not touch it there. */
-static double beyond_edge(const pm_frame *frame, int contact, const pm_edge_place *x)
-{
-    const double beyond = fmax(x->from, x->to);
-    return beyond <= 0 && goes_over_end(frame, contact, x)
-               ? beyond + PM_EDGE_HANDING_OVER * pm_contact_length(frame)
-               : beyond;
-}
-
-double pm_edge_gap(const pm_frame *frame, int contact, int *member)
-{
-    const pm_edge_place x = pm_edge_beside(frame, contact);
-    const double beyond = beyond_edge(frame, contact, &x);
-    *member = PM_SEGMENT_FACE;
-    if (beyond <= 0) return fmax(x.height - x.radius, beyond);
-    if (x.radius > 0) *member = x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
-    const double gap = hypot(beyond, x.height) - x.radius;
-    return x.height < 0 ? fmin(gap, beyond) : gap;
 }
 
 int pm_edge_touches(const pm_frame *frame, int contact)

@@ -143,12 +143,6 @@ FAULTS = [
     ),
     Fault("edge: its end is not seen beside it", "elements/edge.c", "if (beyond <= 0) return", "return"),
     Fault(
-        "edge: a corner that goes over its end meets it again and again",
-        "elements/edge.c",
-        "? beyond + PM_EDGE_HANDING_OVER",
-        "? beyond + 0 * PM_EDGE_HANDING_OVER",
-    ),
-    Fault(
         "edge: the wrong corner",
         "elements/edge.c",
         "if (x.radius > 0) *member = x.from > x.to",
