@@ -7,6 +7,8 @@
  * no contact (pm_edge_touches).  As long as a mark is below the face what is watched is
  *   beyond    sqrt(o^2 + h^2) - R           within    R - h
  * which falls through zero where it touches a corner, where it comes through the face, or comes over it from beyond.
+ * The corner of a body that lies in part behind the face goes over an end (goes_over_end).  Once it is there it touches nothing
+ * before it has gone further in: what is watched is the gap to an edge that ends so much sooner (pm_edge_gap_over_end).
  * A corner is a circle of radius 0: where a circle goes over to it from the face both
  * have the same normal.
  *
@@ -49,15 +51,20 @@ pm_edge_place pm_edge_beside(const pm_frame *frame, int contact)
                            .along = {t[0], t[1]}};
 }
 
+static double gap_beyond(const pm_edge_place *x, double beyond)
+{
+    if (beyond <= 0) return fmax(x->height - x->radius, beyond);
+    const double gap = hypot(beyond, x->height) - x->radius;
+    return x->height < 0 ? fmin(gap, beyond) : gap;
+}
+
 double pm_edge_gap(const pm_frame *frame, int contact, int *member)
 {
     const pm_edge_place x = pm_edge_beside(frame, contact);
     const double beyond = fmax(x.from, x.to);
     *member = PM_SEGMENT_FACE;
-    if (beyond <= 0) return fmax(x.height - x.radius, beyond);
-    if (x.radius > 0) *member = x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
-    const double gap = hypot(beyond, x.height) - x.radius;
-    return x.height < 0 ? fmin(gap, beyond) : gap;
+    if (beyond > 0 && x.radius > 0) *member = x.from > x.to ? PM_SEGMENT_FROM : PM_SEGMENT_TO;
+    return gap_beyond(&x, beyond);
 }
 
 int pm_edge_is_below(const pm_frame *frame, int contact)
@@ -123,6 +130,21 @@ static int goes_over_end(const pm_frame *frame, int contact, const pm_edge_place
         if (pm_cross(x->along, along) < -PM_EDGE_BEHIND) return 1;
     }
     return 0;
+}
+
+int pm_edge_is_over_end(const pm_frame *frame, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    return gap_beyond(&x, fmax(x.from, x.to)) <= pm_contact_length(frame) &&
+           goes_over_end(frame, contact, &x);
+}
+
+double pm_edge_gap_over_end(const pm_frame *frame, int contact)
+{
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    const double beyond = fmax(x.from, x.to);
+    const int over = goes_over_end(frame, contact, &x);
+    return gap_beyond(&x, over ? beyond + PM_EDGE_HANDING_OVER * pm_contact_length(frame) : beyond);
 }
 
 int pm_edge_touches(const pm_frame *frame, int contact)

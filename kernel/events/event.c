@@ -136,6 +136,8 @@ static void add_gap(pm_workspace *w, int contact)
         w->numbers.size);
     f->below = (pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact)) ||
                pm_contact_curve_is_below(&w->frame, &w->state, contact);
+    f->over_end = pm_edge_is(w->model, contact) && !f->below && is_open(w, contact) &&
+                  pm_edge_is_over_end(&w->frame, contact);
     f->born =
         pm_contact_curve_is(w->model, contact) && pm_contact_curve_is_closed(w->model, &w->state, contact);
     if (pm_contact_is_pattern(w->model, contact)) f->pattern = e->npattern++;
@@ -227,6 +229,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_GAP: {
         const double gap = pm_contact_gap(&w->frame, &w->state, f->index, &member);
         if (isinf(gap)) return w->numbers.size; /* nothing left to close */
+        if (f->over_end) return pm_edge_gap_over_end(&w->frame, f->index);
         return f->below ? gap_from_below(w, f->index) : gap + f->sunk;
     }
     case FUNCTION_NORMAL:

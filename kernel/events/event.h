@@ -47,6 +47,7 @@ typedef struct pm_event_function {
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int born;       /* of a gap beside a foot that is closed: another foot may come to be at any distance */
     int below;      /* of a gap: the mark was below its edge when the phase began */
+    int over_end;   /* of a gap: the mark was a corner that goes over an end of its edge */
     double sunk;    /* of a gap: by how much it was below zero as it parted; from there it counts */
     double since;   /* x from which it is held */
     double left;    /* its last sample beyond rounding, in a step before; 0: there is none */

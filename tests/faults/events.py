@@ -51,6 +51,12 @@ FAULTS = [
         "FUNCTION_MEETING, i, 1,",
         "FUNCTION_MEETING, i, -1,",
     ),
+    Fault(
+        "edge: a corner that goes over its end meets it again and again",
+        "events/event.c",
+        "if (f->over_end) return",
+        "if (0) return",
+    ),
     Fault("edge: it does not end", "events/event.c", "case FUNCTION_END:", "case FUNCTION_END: return 1;"),
     Fault(
         "edge: what is behind it stays there",

@@ -268,6 +268,32 @@ static void corner_comes_in(int route, int side)
     scene_free(s);
 }
 
+/* A box flush with the right face, or over it by less than counts, falls: its upper corner passes the end of the top from before
+ * it to behind it, and nothing is struck there. */
+static void corner_goes_under(int route, int side)
+{
+    const double w = 0.2, h = 1, over = 1e-10 * check_random(0, 0.5), above = 0.05, speed = 1, time = 0.1;
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, (w * w + h * h) / 12, side * (w / 2 - over), above - h / 2, 0);
+    const int corner = scene_point(s, PM_GROUND, 0, 0);
+    const int top = scene_segment(s, scene_circle(s, scene_point(s, b, -side * w / 2, h / 2), 0),
+                                  scene_line(s, corner, 0), side > 0 ? -1 : 0, side > 0 ? 0 : 1, 0,
+                                  PM_FRICTION_SMOOTH, 0);
+    const int flank = scene_line(s, scene_point(s, b, -side * w / 2, 0), side * acos(0.));
+    scene_segment(s, scene_circle(s, corner, 0), flank, -h / 2, h / 2, 0, PM_FRICTION_SMOOTH, 0);
+    const int strikes =
+        scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, scene_on(s, PM_TRIGGER_STRIKE, top)));
+    const int g = scene_point(s, b, 0, 0);
+    const int y = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y));
+    scene_start_velocity(s, g, 0, -speed);
+    scene_until_time(s, time);
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[strikes], 0);
+    NEAR(s->out[y], above - h / 2 - speed * time - 0.5 * G * time * time, CLOSE);
+    scene_free(s);
+}
+
 /* Where the corners are at one place two of the three contacts are one; a little later any two hold the box.  One is left out,
  * whatever their order is, and friction slows the box as if nothing else were there. */
 static void corners_at_one_place(int side)
@@ -290,6 +316,7 @@ int main(void)
         corner_comes_in(PM_ROUTE_RK, side);
         corner_comes_in(PM_ROUTE_AUTO, side);
         corners_at_one_place(side);
+        for (int n = 0; n < 10; n++) corner_goes_under(n % 2 ? PM_ROUTE_RK : PM_ROUTE_AUTO, side);
     }
     static const int routes[] = {PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_AUTO};
     for (int k = 0; k < 3; k++) {
