@@ -149,6 +149,8 @@ def test_a_number_is_always_the_same_throw() -> None:
         (502434, ""),  # a blow leaves some slip of what sticks, and it slides the other way
         (501261, ""),  # a series of blows that ends at once after a slip has ended
         (701426, ""),
+        (3022, ""),  # a corner as near to the end of an edge as counts as touching: no decision of the errors
+        (508119, ""),  # a corner that goes over the end of an edge fired there again and again
         (102250, ""),  # what turns at once on a path has no way that energies show
     ],
 )
