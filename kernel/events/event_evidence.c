@@ -178,12 +178,12 @@ void pm_event_evidence_jump(pm_workspace *w)
 }
 
 /* ---- an instant ---- */
-/* Next to touching a distance goes with what counts as touching, of which a coarse run takes more: it is told as a part of that. */
-static double by_touching(const pm_workspace *w, const pm_event_function *f, double distance)
+/* Next to touching a distance may go with what counts as touching, of which a coarse run takes so many times more; 0 elsewhere. */
+static double touching_of(const pm_workspace *w, const pm_event_function *f, double distance)
 {
     const int by_length = f->kind == FUNCTION_GAP || f->kind == FUNCTION_END;
-    if (!by_length || fabs(distance) > PM_BESIDE_TOUCHING * pm_contact_length(&w->frame)) return distance;
-    return distance / w->numbers.coarse;
+    if (!by_length || fabs(distance) > PM_BESIDE_TOUCHING * pm_contact_length(&w->frame)) return 0;
+    return w->numbers.coarse;
 }
 
 /* How near the function came to zero without firing, since the last instant. */
@@ -196,7 +196,8 @@ static void take_nearest(pm_workspace *w, int i)
     pm_evidence_decision x = of_function(w->model, f);
     x.kind = PM_EVIDENCE_NEAR;
     x.what = i;
-    x.distance = by_touching(w, f, near);
+    x.distance = near;
+    x.touching = touching_of(w, f, near);
     x.reach = f->near_reach;
     x.unit = f->natural;
     pm_evidence_take(&w->evidence, &x);
@@ -213,7 +214,7 @@ static void take_value(pm_workspace *w, int i, int marks)
     x.distance = distance_of(w, f);
     if (is_at_end(&w->frame, f, x.distance)) return;
     x.unit = f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND ? w->numbers.size : f->natural;
-    x.distance = by_touching(w, f, x.distance);
+    x.touching = touching_of(w, f, x.distance);
     x.reach = fabs(x.distance);
     pm_evidence_take(&w->evidence, &x);
 }

@@ -34,15 +34,23 @@ static int are_other_instants(const pm_evidence_log *a, int i, const pm_evidence
     return off > PM_MARGIN_SAME_INSTANT * fmin(time_between(a, i), time_between(b, j));
 }
 
+/* How far apart two passes are: where a distance is a part of what counts as touching, by this part, if that is nearer. */
+static double apart(const pm_evidence_decision *x, const pm_evidence_decision *y)
+{
+    const double plain = fabs(x->distance - y->distance);
+    if (x->touching == 0 || y->touching == 0) return plain;
+    return fmin(plain, fabs(x->distance / x->touching - y->distance / y->touching));
+}
+
 static double margin_of(const pm_evidence_decision *x, const pm_evidence_decision *y,
                         const double *trigger_scale)
 {
     if (x->kind == PM_EVIDENCE_RATE && x->in_time != y->in_time) return INFINITY;
     if (are_other_blows(x, y)) return INFINITY;
     const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
-    const double a = fabs(x->distance), b = fabs(y->distance), apart = fabs(x->distance - y->distance);
+    const double least = fmin(fabs(x->distance), fabs(y->distance));
     if (!pm_evidence_is_open(x, unit) && !pm_evidence_is_open(y, unit)) return INFINITY;
-    return fmin(a, b) / fmax(apart, PM_MARGIN_LEAST * unit);
+    return least / fmax(apart(x, y), PM_MARGIN_LEAST * unit);
 }
 
 static int same(const pm_evidence_decision *x, const pm_evidence_decision *y)
