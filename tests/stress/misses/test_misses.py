@@ -54,6 +54,24 @@ def test_the_truth_of_peaks_is_that_of_many_places() -> None:
         assert g.min() >= low - 1e-8
 
 
+def test_no_coordinate_leaves_the_steps_of_the_truth() -> None:
+    for seed in range(400):
+        peak, (p,) = peaks.cases_of(seed, 1)
+        if peak.name in ("stairs", "teeth"):
+            x = place(peak.motion, p, np.linspace(0, END[peak.motion], 1000))[peak.x]
+            levels = [level for _, level in peaks.EXPRESSIONS[peak.name][1](p)]
+            assert min(levels) < x.min()
+            assert x.max() < max(levels)
+
+
+def test_the_truth_beside_a_corner_is_within_bounds() -> None:
+    """What stands between 0 and 1, or 0 and 0.4, whose pieces end right beside a corner."""
+    for seed, case, greatest in ((354, 0, 0.4), (271, 5, 1.0)):
+        peak, cases = peaks.cases_of(seed, case + 1)
+        (_, high, low), _ = peaks.truth_of(peak, cases[case])
+        assert 0 <= low < high <= greatest + 1e-12
+
+
 def test_a_sample_in_a_pulse_does_not_tell_it() -> None:
     """A bell of 4 us with one of nine samples in it by chance; half sines, zero at both ends of a step."""
     for seed, cases in ((4, 200), (3, 40)):
