@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
+import planemotion
+from planemotion.engine.call import run_cases
 from tests.stress.misses import peaks, pulses, waves
-from tests.stress.misses.motions import END, SCENES, place
+from tests.stress.misses.motions import END, GRAVITY, SCENES, place
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
 
 CASES = 60
@@ -52,6 +55,18 @@ def test_the_truth_of_peaks_is_that_of_many_places() -> None:
         g = peak.value(p, np.linspace(0, END[peak.motion], 20_001)[1:-1])
         assert g.max() <= high + 1e-8
         assert g.min() >= low - 1e-8
+
+
+def test_a_jump_counts_once() -> None:
+    """Teeth of a force that scatters about a jump: rises on the way up, jumps on the way down, enumerated."""
+    peak, cases = peaks.cases_of(311, 5)
+    p = cases[4]
+    (flat,) = planemotion.load_text(peak.text).tables()
+    found = run_cases(flat, np.array([[{**p, "g": GRAVITY}[name] for name in flat.parameters]]))
+    turns = np.array(peaks._turns(peak, p, peak.x))
+    teeth = (place(peak.motion, p, turns)[peak.x] - p["a"]) / (p["w"] + 0.05)
+    up = sum(max(b - a, 0) for a, b in pairwise(np.floor(teeth - p["level"])))
+    assert found.out[0, 0] == up + sum(max(a - b, 0) for a, b in pairwise(np.floor(teeth)))
 
 
 def test_no_coordinate_leaves_the_steps_of_the_truth() -> None:
