@@ -189,19 +189,26 @@ static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_
     return rests ? fmax(rounding, f->rested) : beyond;
 }
 
+/* So close to a zero that was located at x nothing has left it.  A jump lies within what its argument scatters by, which may
+ * be more than the rounding of the place: so close to it its window shows nothing. */
+static double least_leaving(const pm_step *step, double x)
+{
+    const double jump = PM_LEAVING_JUMP * PM_WINDOW_SWITCH * (step->whole_end - step->whole_begin);
+    return fmax(PM_LEAVING_LEAST * fabs(x), step->shown ? 0 : jump);
+}
+
 /* A trigger that was on zero at a: its side is where it has definitely left; it may have come back before b.  The
  * samples show that where they resolve it, beyond their error. */
 static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of, double a, double b,
                               double gb, double noise, pm_span *x)
 {
     pm_event_function *f = &w->event->function[i];
-    const double begin = w->step.begin, h = w->step.end - begin;
+    const double begin = w->step.begin, h = w->step.end - begin, least = least_leaving(&w->step, a);
     const int resolved = pm_event_samples_resolved(&w->step, w->event, i, of);
     const int since_began = w->event->first_step && a == w->event->place[0];
     for (int k = PM_LEAVING_HALVINGS; k > 0; k--) {
         const double place = a + ldexp(b - a, -k);
-        if (place - a <= PM_LEAVING_LEAST * fabs(a))
-            continue; /* where it jumps, a may still be before that */
+        if (place - a <= least) continue; /* where it jumps, a may still be before that */
         double g = resolved ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
+import planemotion
+from planemotion.engine.call import run_cases
 from tests.stress.misses import peaks, pulses, waves
-from tests.stress.misses.motions import END, SCENES, place
+from tests.stress.misses.motions import END, GRAVITY, SCENES, place
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
 
 CASES = 60
@@ -52,6 +55,36 @@ def test_the_truth_of_peaks_is_that_of_many_places() -> None:
         g = peak.value(p, np.linspace(0, END[peak.motion], 20_001)[1:-1])
         assert g.max() <= high + 1e-8
         assert g.min() >= low - 1e-8
+
+
+def test_a_jump_counts_once() -> None:
+    """Teeth of a force that scatters about a jump: rises on the way up, jumps on the way down, enumerated."""
+    peak, cases = peaks.cases_of(311, 5)
+    p = cases[4]
+    (flat,) = planemotion.load_text(peak.text).tables()
+    found = run_cases(flat, np.array([[{**p, "g": GRAVITY}[name] for name in flat.parameters]]))
+    turns = np.array(peaks._turns(peak, p, peak.x))
+    teeth = (place(peak.motion, p, turns)[peak.x] - p["a"]) / (p["w"] + 0.05)
+    up = sum(max(b - a, 0) for a, b in pairwise(np.floor(teeth - p["level"])))
+    assert found.out[0, 0] == up + sum(max(a - b, 0) for a, b in pairwise(np.floor(teeth)))
+
+
+def test_no_coordinate_leaves_the_steps_of_the_truth() -> None:
+    for seed in range(400):
+        peak, (p,) = peaks.cases_of(seed, 1)
+        if peak.name in ("stairs", "teeth"):
+            x = place(peak.motion, p, np.linspace(0, END[peak.motion], 1000))[peak.x]
+            levels = [level for _, level in peaks.EXPRESSIONS[peak.name][1](p)]
+            assert min(levels) < x.min()
+            assert x.max() < max(levels)
+
+
+def test_the_truth_beside_a_corner_is_within_bounds() -> None:
+    """What stands between 0 and 1, or 0 and 0.4, whose pieces end right beside a corner."""
+    for seed, case, greatest in ((354, 0, 0.4), (271, 5, 1.0)):
+        peak, cases = peaks.cases_of(seed, case + 1)
+        (_, high, low), _ = peaks.truth_of(peak, cases[case])
+        assert 0 <= low < high <= greatest + 1e-12
 
 
 def test_a_sample_in_a_pulse_does_not_tell_it() -> None:
