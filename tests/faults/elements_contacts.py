@@ -145,8 +145,8 @@ FAULTS = [
     Fault(
         "edge: the wrong corner",
         "elements/edge.c",
-        "if (x.radius > 0) *member = x.from > x.to",
-        "if (x.radius > 0) *member = x.from < x.to",
+        "*member = x.from > x.to",
+        "*member = x.from < x.to",
     ),
     Fault(
         "edge: a corner turns the slip round",
