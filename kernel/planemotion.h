@@ -122,8 +122,7 @@ enum pm_reason {
     PM_REASON_INFINITE = 4,  /* it grows without bound: the count of blows that add up in finite time, 1/0 */
     PM_REASON_SHARED = 5,    /* it is not unique: redundant constraints share it, and nothing tells how */
     PM_REASON_CUT = 6, /* of a list: the event fired more often than it is long; what stands in it is sound */
-    PM_REASON_TWO_SIDED =
-        7 /* of a find: there is a number, and another one on the other side of what was found */
+    PM_REASON_TWO_SIDED = 7 /* there is a number, and another one on the other side of what was found */
 };
 
 /* ---- settings ----------------------------------------------------------------------------------------------- */

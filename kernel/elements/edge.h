@@ -28,9 +28,10 @@ int pm_edge_touches(const pm_frame *frame, int contact);
  * is no longer there. */
 int pm_edge_is_below(const pm_frame *frame, int contact);
 double pm_edge_gap_from_below(const pm_frame *frame, int contact);
-/* The mark is a corner that goes over an end of the edge, and its gap is none.  Its gap while it goes over the end: falls to zero
- * where it has come so far in that it may touch the face, or where it goes over the end no more. */
+/* The mark is a corner that goes over an end of the edge, and there is no gap left between them. */
 int pm_edge_is_over_end(const pm_frame *frame, int contact);
+/* What is watched then: it falls to zero where the corner has come so far in that it may touch the face, or where it goes over
+ * the end no more. */
 double pm_edge_gap_over_end(const pm_frame *frame, int contact);
 /* What is next to an open contact is a corner that a closed one has, too: it is left to that one. */
 int pm_edge_is_covered(const pm_frame *frame, const pm_state *s, int contact);

@@ -134,14 +134,14 @@ static void add_gap(pm_workspace *w, int contact)
     pm_event_function *f = &e->function[e->nfunction];
     add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
         w->numbers.size);
-    f->below = (pm_edge_is(w->model, contact) && pm_edge_is_below(&w->frame, contact)) ||
+    const int beside_edge = pm_edge_is(w->model, contact), open_edge = beside_edge && is_open(w, contact);
+    f->below = (beside_edge && pm_edge_is_below(&w->frame, contact)) ||
                pm_contact_curve_is_below(&w->frame, &w->state, contact);
-    f->over_end = pm_edge_is(w->model, contact) && !f->below && is_open(w, contact) &&
-                  pm_edge_is_over_end(&w->frame, contact);
+    f->over_end = open_edge && !f->below && pm_edge_is_over_end(&w->frame, contact);
     f->born =
         pm_contact_curve_is(w->model, contact) && pm_contact_curve_is_closed(w->model, &w->state, contact);
     if (pm_contact_is_pattern(w->model, contact)) f->pattern = e->npattern++;
-    if (pm_edge_is(w->model, contact) && !f->owned && is_open(w, contact)) f->edge = e->nedge++;
+    if (open_edge && !f->owned) f->edge = e->nedge++;
 }
 
 static void add_contacts(pm_workspace *w)

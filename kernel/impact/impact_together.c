@@ -276,9 +276,9 @@ static int held_mode(const pm_workspace *w, const pm_blow *b, int slot)
 {
     const int contact = pm_contact_of_slot(w->model, slot);
     const double slip = pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
-    const double left = slip_left(w, b, slot);
     const int mode = pm_impact_trial_mode(&w->frame, slot);
     if (mode != PM_STICK || pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH) return mode;
+    const double left = slip_left(w, b, slot);
     if (fabs(slip) <= b->approach || fabs(left) <= pm_contact_speed(&w->frame)) return PM_STICK;
     return left > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
 }

@@ -211,7 +211,6 @@
 #define PM_DIP_CLOSE 0.1 /* of the values beside it: a dip that is worth a closer look; larger: more are */
 #define PM_DIP_HIDDEN 0.5 /* likewise where samples are as far apart as the dip is wide: its bottom is known to some tenths; larger: more are */
 #define PM_DIP_STEP 1e-3 /* of the nodes' distance: differences at the bottom of a dip; larger: bend less exact, smaller: rounding */
-#define PM_DIP_HIDDEN 0.5 /* likewise where samples are as far apart as the dip is wide: its bottom is known to some tenths; larger: more are */
 #define PM_DIP_STEPS 3 /* of Newton's method to the bottom; more: slower */
 #define PM_BOUNCE_HALVINGS 30 /* of a step, to find the top of a short bounce; more: shorter bounces are seen */
 #define PM_LEAVING_HALVINGS 20 /* of a step: a trigger has left its zero where it is first seen off it; more: earlier zeros are seen */

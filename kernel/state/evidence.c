@@ -128,9 +128,11 @@ void pm_evidence_free_log(void *log) { free(((pm_evidence_log *)log)->entry); }
 void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision)
 {
     pm_evidence_log *log = &evidence->present->log;
+    while (log->instant % log->stride == 0 && !has_room(log)) {
+        if (log->stride > log->instant) return;
+        thin_out(log);
+    }
     if (log->instant % log->stride != 0) return;
-    while (!has_room(log) && log->instant % log->stride == 0 && log->stride <= log->instant) thin_out(log);
-    if (log->n == log->room || log->instant % log->stride != 0) return;
     log->entry[log->n] = *decision;
     log->entry[log->n].instant = log->instant;
     log->entry[log->n++].history = log->history;

@@ -36,22 +36,21 @@ enum pm_evidence_site {
 typedef struct pm_evidence_decision {
     int32_t instant, kind, what; /* what: which of its kind */
     int32_t trigger;             /* whose program the distance is in the unit of, or PM_NONE */
-    int32_t in_time;  /* rates are by time, else by the way along a path: these two cannot be compared */
-    uint32_t history; /* of all that was decided before */
-    double distance;  /* from the threshold */
-    double
-        touching; /* of a gap next to touching: how many times as much counts as that in this pass; else 0 */
-    double reach; /* how far it was nearby: nothing by the scene's structure if that is rounding */
-    double unit;  /* natural size of the distance; of triggers over the size of their program */
+    int32_t in_time;    /* rates are by time, else by the way along a path: these two cannot be compared */
+    uint32_t history;   /* of all that was decided before */
+    double distance;    /* from the threshold */
+    double touching;    /* times as much as usual counts as touching, of a gap next to it; else 0 */
+    double reach;       /* how far it was nearby: nothing by the scene's structure if that is rounding */
+    double unit;        /* natural size of the distance; of triggers over the size of their program */
     double approach;    /* m/s, greatest of the blow that it belongs to; 0: of none */
     int32_t table, row; /* whose it is, where neither a trigger nor a site tells; PM_NONE: of no place */
     double t;           /* s, of its instant */
 } pm_evidence_decision;
 
 typedef struct pm_evidence_log {
-    pm_evidence_decision *entry; /* [n of room], its own; no room: PM_DECISIONS at most */
+    pm_evidence_decision *entry; /* [room], the first n in use; its own, grows to PM_DECISIONS */
     int n, room;
-    int32_t instant, stride; /* every stride-th instant is kept: the log never grows */
+    int32_t instant, stride; /* every stride-th instant is kept, lest they be more */
     uint32_t history;
 } pm_evidence_log;
 

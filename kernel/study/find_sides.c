@@ -21,7 +21,7 @@
 
 enum { FAR_BELOW, BELOW, HERE, ABOVE, FAR_ABOVE, PLACES };
 static const double place[PLACES] = {-4, -1, 0, 1, 4}; /* times d */
-_Static_assert((int)PLACES == PM_FIND_PLACES, "find.h has as many");
+_Static_assert((int)PLACES == PM_FIND_PLACES, "find_look.h has as many");
 
 int pm_find_sides_create(pm_workspace *w)
 {

@@ -14,7 +14,7 @@ import pytest
 import planemotion
 from tests.mechanics.found_scenes import plate, ran
 from tests.scenes import ROUTES, G, number
-from tests.scenes.parts import beam_on_feet
+from tests.scenes.parts import beam_on_feet, rod_on_two_pins
 
 
 # ---- 4: friction of nothing as a parameter ----
@@ -186,29 +186,11 @@ across = "A.force.x on ladder + B.force.x on ladder"
     assert result.across == pytest.approx(0, abs=1e-9)
 
 
-PINNED = """
-until = "t = 0.1 s"
-[ground]
-points = { A = ["-2 m", 0], B = ["2 m", 0] }
-[bodies.rod]
-rod = ["A", "B"]
-length = "4 m"
-mass = "10 kg"
-at = [0, 0]
-[joints]
-LINES
-[ask]
-Ax = "A.force.x on rod"
-Ay = "A.force.y on rod"
-By = "B.force.y on rod"
-"""
-
-
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("order", ["AB", "BA"])
 def test_6_a_rod_pinned_at_both_ends(order: str, route: str) -> None:
     lines = "\n".join(f'{x} = {{ pin = ["rod.{x}", "ground.{x}"] }}' for x in order)
-    result = ran(PINNED.replace("LINES", lines), route)
+    result = ran(rod_on_two_pins(lines), route)
     assert result.asks["Ax"].value is None
     assert result.Ay == pytest.approx(49.05, rel=1e-12)
     assert result.By == pytest.approx(49.05, rel=1e-12)

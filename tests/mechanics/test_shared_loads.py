@@ -9,7 +9,7 @@ import pytest
 import planemotion
 from planemotion.engine import call
 from tests.scenes import G
-from tests.scenes.parts import beam_on_feet
+from tests.scenes.parts import beam_on_feet, rod_on_two_pins
 
 FEET = """
 until = "go"
@@ -182,28 +182,13 @@ def test_a_least_share_that_would_pull_is_none() -> None:
     assert asks["all"].value == pytest.approx(98.1, rel=1e-9)
 
 
-PINNED = """
-until = "start"
-[ground]
-points = { A = ["-2 m", 0], B = ["2 m", 0] }
-[bodies.rod]
-rod = ["A", "B"]
-length = "4 m"
-mass = "10 kg"
-at = [0, 0]
-[joints]
+def test_a_rod_that_is_pinned_at_both_ends_has_loads_across_it() -> None:
+    pins = """
 A = { pin = ["rod.A", "ground.A"] }
 B = { pin = ["rod.B", "ground.B"] }
-[ask]
-Ax = "A.force.x on rod"
-Ay = "A.force.y on rod"
-By = "B.force.y on rod"
-both = "A.force.x on rod + B.force.x on rod"
 """
-
-
-def test_a_rod_that_is_pinned_at_both_ends_has_loads_across_it() -> None:
-    scene = planemotion.load_text(PINNED)
+    both = 'both = "A.force.x on rod + B.force.x on rod"'
+    scene = planemotion.load_text(rod_on_two_pins(pins, "start") + both)
     asks = scene.run().asks
     assert asks["Ax"].value is None
     assert asks["Ay"].value == pytest.approx(49.05, rel=1e-12)

@@ -98,3 +98,23 @@ C = "C.normal"
 all = "A.normal + B.normal + C.normal"
 moment = "{moment}"
 """
+
+
+def rod_on_two_pins(pins: str, until: str = "t = 0.1 s") -> str:
+    """A rod of 10 kg and 4 m on the level, pinned at both ends A and B by these joints; asks come last."""
+    return f"""
+until = "{until}"
+[ground]
+points = {{ A = ["-2 m", 0], B = ["2 m", 0] }}
+[bodies.rod]
+rod = ["A", "B"]
+length = "4 m"
+mass = "10 kg"
+at = [0, 0]
+[joints]
+{pins}
+[ask]
+Ax = "A.force.x on rod"
+Ay = "A.force.y on rod"
+By = "B.force.y on rod"
+"""

@@ -160,11 +160,8 @@ def recounted(x: Instant, status: str) -> str:
     if len(at) > MOST:
         return NOT_COUNTED
     p = problem(x, at)
-    ways = (
-        p,
-        replace(p, restitution=0 * p.restitution),
-    )  # slow blows, and limited ones, are the plastic ones
-    counts = [_count(x, at, way) for way in ways]
+    plastic = replace(p, restitution=0 * p.restitution)  # so are slow blows, and limited ones
+    counts = [_count(x, at, way) for way in (p, plastic)]
     said = any(count > 1 if status == "not_unique" else count == 0 for count in counts)
     return CONFIRMED if said else REFUTED
 

@@ -29,12 +29,11 @@ def first_ordered(runs: Sequence[tuple[FlatScene, CaseResults]]) -> str:
 
 def two_sided(runs: Sequence[tuple[FlatScene, CaseResults]]) -> tuple[str, ...]:
     """The keys of answers that are others on the other side of what a find has found."""
-    reasons = [(flat, results.reason[0]) for flat, results in runs]
     return tuple(
         asked.key
-        for flat, reason in reasons
+        for flat, results in runs
         for asked in flat.asks
-        if (reason[asked.row : asked.row + asked.rows] == layout.PM_REASON_TWO_SIDED).any()
+        if layout.PM_REASON_TWO_SIDED in results.reason[0, asked.row : asked.row + asked.rows]
     )
 
 
