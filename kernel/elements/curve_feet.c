@@ -1,9 +1,9 @@
 /* curve_feet.c - all feet of a point on a curve, and the nearest of them.
  *
- * The curve is divided into parts in which its tangent turns by less than PM_CURVE_TURN.  With d the distance of the point x
- * from a node and L the longest part, no place of a part is nearer than (d + d' - L) / 2, and none of the k next parts nearer
- * than d - k L: what cannot be nearest is passed over.  A foot that is a nearest place lies in a part where t.(x - p), t along
- * s, falls from positive to negative; Newton's method finds it, or bisection where that leaves the part. */
+ * The curve is a tree of parts, each enclosed (curve_parts.h): a part that is farther away than what was found, or has no
+ * foot, is passed over.  Between two nodes the tangent turns by less than PM_CURVE_TURN.  A foot that is a nearest place lies
+ * where t.(x - p), t along s, falls from positive to negative; Newton's method finds it, or bisection where that leaves the
+ * part. */
 #include "elements/curve_feet.h"
 
 #include <math.h>
@@ -35,7 +35,11 @@ int pm_curve_feet_node(const pm_frame *frame, int curve, double s)
     return (int)round(PM_CURVE_NODES * fmin(fmax(part, 0), 1));
 }
 
-static double apart(const double a[2], const double b[2]) { return hypot(a[0] - b[0], a[1] - b[1]); }
+static double apart(const double a[2], const double b[2])
+{
+    const double d[2] = {a[0] - b[0], a[1] - b[1]};
+    return pm_length(d);
+}
 
 static int bad(pm_workspace *w, int curve, int column, double value, double bound)
 {
@@ -226,19 +230,20 @@ static int nearest_node(const pm_curve_search *f, double *least)
     return nearest;
 }
 
-static void look_along(pm_curve_search *f, double bound, pm_curve_near *near)
+/* In the parts that come as near and have a tangent square to the way to the point. */
+static void look_along(pm_curve_search *f, int part, double bound, pm_curve_near *near)
 {
     const pm_curve_course *c = &f->frame->numbers->course[f->curve];
-    for (int i = 0; i < PM_CURVE_NODES;) {
-        const double d = apart(f->x, c->node[i].p), least = fmin(bound, f->best);
-        if (d - c->pace > least) {
-            i += (int)fmin(fmax(floor((d - least) / c->pace), 1), PM_CURVE_NODES);
-            continue;
-        }
-        if (along(&c->node[i], f->x) >= 0 && along(&c->node[i + 1], f->x) < 0)
-            look_into(f, i, d, apart(f->x, c->node[i + 1].p), near);
-        i++;
+    const pm_curve_part *p = &c->part[part];
+    const double d[2] = {f->x[0] - p->p[0], f->x[1] - p->p[1]};
+    if (pm_length(d) - p->radius > fmin(bound, f->best) || !pm_curve_part_is_under(p, d, 0)) return;
+    if (!pm_curve_part_is_last(part)) {
+        for (int half = 0; half < 2; half++) look_along(f, 2 * part + half, bound, near);
+        return;
     }
+    const int i = part - PM_CURVE_NODES;
+    if (along(&c->node[i], f->x) >= 0 && along(&c->node[i + 1], f->x) < 0)
+        look_into(f, i, apart(f->x, c->node[i].p), apart(f->x, c->node[i + 1].p), near);
 }
 
 /* Where all places are as near no foot is found: then a node is one. */
@@ -249,7 +254,7 @@ int pm_curve_feet_nearest(const pm_frame *frame, int curve, const double x[2], c
     double bound = INFINITY;
     const int node = taken->n == 0 ? nearest_node(&f, &bound) : 0;
     look_at_ends(&f, near);
-    look_along(&f, bound, near);
+    look_along(&f, 1, bound, near);
     if (isinf(f.best) && taken->n == 0) {
         const pm_curve_place at = pm_curve_at(frame, curve, pm_curve_feet_place(frame, curve, node));
         keep(&f, &at, PM_CURVE_WITHIN, bound, near);

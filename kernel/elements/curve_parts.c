@@ -55,3 +55,11 @@ void pm_curve_parts_join(pm_curve_part part[PM_CURVE_PARTS])
 {
     for (int k = PM_CURVE_NODES - 1; k > 0; k--) part[k] = joined(&part[2 * k], &part[2 * k + 1]);
 }
+
+int pm_curve_part_is_under(const pm_curve_part *part, const double d[2], double radius)
+{
+    const double far = hypot(d[0], d[1]), radii = radius + part->radius;
+    if (far <= radii) return 1;
+    const double along = fabs(d[0] * cos(part->angle) + d[1] * sin(part->angle)) / far;
+    return along <= sin(fmin(asin(radii / far) + part->spread, 0.5 * M_PI));
+}

@@ -25,5 +25,8 @@ typedef struct pm_curve_stop {
 pm_curve_part pm_curve_part_between(const pm_curve_stop *a, const pm_curve_stop *b, double way);
 /* The parts that have halves, from these. */
 void pm_curve_parts_join(pm_curve_part part[PM_CURVE_PARTS]);
+/* 0: no place within `radius` of d, which begins at the middle of the part, is square to a tangent of it above or below where
+ * that touches. */
+int pm_curve_part_is_under(const pm_curve_part *part, const double d[2], double radius);
 
 #endif

@@ -161,10 +161,7 @@ static int stands_over(const pm_pair *x, const pm_curve_part *a, const pm_curve_
     double d[2];
     turn(x->axis, a->p, d);
     for (int k = 0; k < 2; k++) d[k] += x->at[k] - b->p[k];
-    const double far = pm_length(d), radii = a->radius + b->radius;
-    if (far <= radii) return 1;
-    const double along = fabs(d[0] * cos(b->angle) + d[1] * sin(b->angle)) / far;
-    return along <= sin(fmin(asin(radii / far) + b->spread, 0.5 * M_PI));
+    return pm_curve_part_is_under(b, d, a->radius);
 }
 
 /* Places at which both are smooth enough for one step to tell where they meet. */

@@ -10,6 +10,18 @@ FAULTS = [
         "i % 2 == 0 && along(&c->node[i], f->x) >= 0 && along(&c->node[i + 1], f->x) < 0",
     ),
     Fault(
+        "curves: parts that turn are passed over where a foot stands",
+        "elements/curve_parts.c",
+        "sin(fmin(asin(radii / far) + part->spread, 0.5 * M_PI))",
+        "0.5 * sin(fmin(asin(radii / far) + part->spread, 0.5 * M_PI))",
+    ),
+    Fault(
+        "curves: a part of the curve that is near is passed over",
+        "elements/curve_feet.c",
+        "pm_length(d) - p->radius > fmin(bound, f->best)",
+        "pm_length(d) - 0 * p->radius > fmin(bound, f->best)",
+    ),
+    Fault(
         "curves: a foot that is closed is found again",
         "elements/curve_feet.c",
         "if (off <= PM_CURVE_SAME * all) return 1;",
