@@ -61,8 +61,10 @@ class Reversed:
 
 @pytest.fixture(autouse=True)
 def short_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """So that a small sweep has many blocks."""
+    """So that a small sweep has many blocks, however fast the machine is."""
     monkeypatch.setattr(spread, "CHUNK_SECONDS", 0.001)
+    monkeypatch.setattr(spread, "FIRST_CHUNK", 4)
+    monkeypatch.setattr(spread, "GROWTH", 1)
 
 
 def swept(folder: Path, executor: Any, workers: int | None = None) -> tuple[dict[str, Any], bytes]:
