@@ -9,7 +9,6 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/contact.h"
-#include "elements/contact_curve.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
 #include "equations/dependence.h"
