@@ -7,7 +7,6 @@
 #include "elements/drive.h"
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
-#include "expression/program.h"
 #include "expression/program_class.h"
 #include "state/frame.h"
 #include "state/workspace.h"

@@ -9,7 +9,6 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/contact.h"
-#include "elements/contact_curve.h"
 #include "elements/joint.h"
 #include "elements/joint_friction.h"
 #include "equations/dependence.h"
@@ -293,9 +292,55 @@ int pm_active_set_build(pm_workspace *w)
     if (!status && !independent) status = append_all(w, &basis);
     if (!status && !independent) status = leave_out_doubtful(w);
     if (!status) append_carried(w);
+    w->active.clear = independent;
     w->active.evaluated = independent && !w->active.asymmetric;
     if (!status) pm_solve_cache_built(w);
     return status;
+}
+
+/* ---- what depends on others here ---- */
+static int is_of_contact(const pm_active_set *x, int i)
+{
+    const int slot = x->constraint[i].slot;
+    return slot != PM_NONE && (x->slot_normal[slot] == i || x->slot_tangent[slot] == i);
+}
+
+/* Of the constraints in doubt the one that adds most to a basis of n, or PM_NONE where all add next to nothing. */
+static int clearest(pm_workspace *w, int n)
+{
+    pm_orthonormal_rest rest;
+    double most = PM_LOOSE;
+    int best = PM_NONE;
+    for (int i = 0; i < w->active.n; i++) {
+        if (!w->active.doubtful[i]) continue;
+        (void)pm_orthonormal_rows_add_constraint(&w->saddle, n, &w->active.constraint[i], &rest);
+        if (!(rest.left > most)) continue;
+        most = rest.left;
+        best = i;
+    }
+    return best;
+}
+
+int pm_active_set_let_loose(pm_workspace *w)
+{
+    pm_active_set *x = &w->active;
+    const int outside = x->nredundant;
+    pm_orthonormal_rest rest;
+    int n = 0;
+    for (int i = 0; i < x->n; i++) {
+        x->doubtful[i] = is_of_contact(x, i);
+        if (!x->doubtful[i]) n = pm_orthonormal_rows_add_constraint(&w->saddle, n, &x->constraint[i], &rest);
+    }
+    for (int i = clearest(w, n); i != PM_NONE; i = clearest(w, n)) {
+        n = pm_orthonormal_rows_add_constraint(&w->saddle, n, &x->constraint[i], &rest);
+        x->doubtful[i] = 0;
+    }
+    for (int i = x->n - 1; i >= 0; i--)
+        if (x->doubtful[i]) move_out(w->model, x, i);
+    if (x->nredundant == outside) return 0;
+    x->version++;
+    append_carried(w);
+    return x->nredundant - outside;
 }
 
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio)

@@ -20,7 +20,6 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
-#include "equations/fixed_bodies.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"

@@ -8,7 +8,6 @@
 #include "elements/constraint.h"
 #include "elements/measure.h"
 #include "equations/case.h"
-#include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"

@@ -17,7 +17,6 @@
 #include "elements/teeth.h"
 #include "elements/trigger.h"
 #include "equations/case.h"
-#include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "equations/shared_reading.h"
 #include "events/bounce_series.h"

@@ -132,25 +132,32 @@ void pm_event_search_keep_sides(pm_workspace *w, double first)
     for (int i = 0; i < e->ntrigger; i++) {
         const pm_event_function *f = &e->function[i];
         pm_event_course of;
+        if (f->every) continue; /* between other multiples in the next phase */
         pm_event_samples_take(&w->step, e, i, &of);
         e->came[f->index] = last_side(e, f, &of, first);
     }
 }
 
+/* The side on which function i ends the step; `last` is its sample there. */
+static double side_at_end(const pm_step *step, pm_event_set *e, int i, double last)
+{
+    const pm_event_function *f = &e->function[i];
+    pm_event_course of;
+    pm_event_samples_take(step, e, i, &of);
+    const double side = last_side(e, f, &of, INFINITY);
+    /* it may just have fired, and be beyond zero by rounding */
+    return side == 0 && f->held && fabs(last) > f->slack ? last : side;
+}
+
 void pm_event_search_leave(const pm_step *step, pm_event_set *e)
 {
-    const int last = step->nodes->n - 1;
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(e, f)) continue;
-        pm_event_course of;
-        pm_event_samples_take(step, e, i, &of);
-        f->left = last_side(e, f, &of, INFINITY);
-        if (fabs(of.g[last]) > f->slack) {
-            if (f->held && f->left == 0)
-                f->left = of.g[last]; /* has just fired, and is beyond zero by rounding */
-            f->held = 0;
-        }
+        const double last = pm_event_of_sample(f, pm_event_samples(e, i)[step->nodes->n - 1]);
+        if (pm_event_changes_sign(f))
+            f->left = side_at_end(step, e, i, last); /* others have one side alone */
+        if (fabs(last) > f->slack) f->held = 0;
         f->since = 0;
     }
 }

@@ -10,7 +10,6 @@
 
 #include "equations/saddle.h"
 #include "events/ask.h"
-#include "events/step.h"
 #include "expression/program.h"
 #include "numerics/bracket.h"
 #include "numerics/tolerances.h"

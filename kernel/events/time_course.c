@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "elements/drive.h"
 #include "elements/force.h"
 #include "elements/turning_plane.h"
 #include "equations/case.h"

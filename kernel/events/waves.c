@@ -12,14 +12,12 @@
 
 #include <math.h>
 
-#include "elements/trigger.h"
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/watched_samples.h"
 #include "expression/enclosure.h"
 #include "expression/operation.h"
 #include "expression/program.h"
-#include "expression/program_class.h"
 #include "expression/program_fold.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"

@@ -53,7 +53,7 @@ static int approaches(const pm_workspace *w)
 static int shared_stand(pm_workspace *w, double size)
 {
     int stand = 1;
-    for (int i = 0; i < w->model->nslot; i++) {
+    for (int i = 0; w->active.nredundant > 0 && i < w->model->nslot; i++) {
         double slack;
         if (!pm_shared_is_bounded(w, i, &slack)) continue;
         pm_evidence_sign(&w->evidence, PM_SITE_SHARES, i, slack, size);

@@ -5,7 +5,6 @@
 #include "elements/contact.h"
 #include "elements/trigger.h"
 #include "equations/active_set.h"
-#include "equations/saddle.h"
 #include "equations/shared_reading.h"
 #include "events/bounce_series.h"
 #include "impact/contact_modes.h"

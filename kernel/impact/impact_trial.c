@@ -38,6 +38,16 @@ static int build(pm_workspace *w, const pm_blow *b)
     return status;
 }
 
+/* Where corners meet, constraints of contacts may depend on each other at this place though not next to it.  The blow is over
+ * before anything moves: those that add nothing hold by the others. */
+static int build_independent(pm_workspace *w, const pm_blow *b)
+{
+    const int status = build(w, b);
+    if (!status && !w->active.clear && pm_active_set_let_loose(w) > 0)
+        pm_saddle_evaluate(&w->active, &w->frame);
+    return status;
+}
+
 double pm_impact_trial_rate(const pm_workspace *w, int i)
 {
     return pm_constraint_times(&w->frame, &w->active.constraint[i], w->state.v) -
@@ -156,7 +166,7 @@ int pm_impact_trial_solve(pm_workspace *w, pm_blow *b)
     int status = PM_OK;
     b->alone = find_alone(w->model, b);
     if (b->alone != PM_NONE && (status = follow_alone(w, b))) return status;
-    if (b->alone == PM_NONE) return (status = build(w, b)) ? status : respond(w, b);
+    if (b->alone == PM_NONE) return (status = build_independent(w, b)) ? status : respond(w, b);
     status = pm_impact_trial_solve_given(w, b, &independent);
     return status || independent ? status
                                  : pm_fail(&w->result, PM_SINGULAR, PM_TABLE_CONTACT,

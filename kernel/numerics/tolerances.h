@@ -100,6 +100,7 @@
 #define PM_PULLS 1e-11 /* of the forces, or of the impulses in a blow: a load this small does not pull or slip; larger: contacts part late */
 /* which constraints depend on each other */
 #define PM_INDEPENDENT 1e-9 /* part of a constraint that others leave, of it: it counts; larger: holds too little */
+#define PM_LOOSE 1e-7 /* the same of contacts in a blow, at whose place it adds nothing; larger: bodies are held less, smaller: blows are singular */
 #define PM_CLEARLY_INDEPENDENT 1e-3 /* the same, above which nothing else is asked; larger: slower */
 #define PM_NEIGHBOUR 1e-3 /* of the scene's size: how far a dead centre is left; larger: another place */
 #define PM_DEPENDENT_NEARBY 1e-6 /* part left at the neighbour: redundant below; larger: drops what holds */

@@ -8,9 +8,7 @@
 
 #include "equations/saddle.h"
 #include "events/ask.h"
-#include "expression/program.h"
 #include "numerics/tolerances.h"
-#include "routes/start/perturbation.h"
 #include "state/frame.h"
 #include "state/route.h"
 #include "state/workspace.h"

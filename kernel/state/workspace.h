@@ -26,6 +26,7 @@ typedef struct pm_active_set {
     int *aside;    /* [nconstraint] scratch of active_set.c: places of those that are taken out for a while */
     double *share; /* [nconstraint] reactions of redundant ones: 0, or by shared_reading.h */
     int asymmetric;  /* some contact slides: H differs from G */
+    int clear;       /* no constraint comes near to depending on others */
     int evaluated;   /* the last projection, or building, has left the frame where it evaluated them */
     int64_t version; /* counts the sets */
     /* places: of an active constraint >= 0; of redundant[k] PM_REDUNDANT_PLACE(k) < PM_NONE; else PM_NONE */

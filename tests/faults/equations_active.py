@@ -28,6 +28,12 @@ FAULTS = [
         "for (int round = 1;",
     ),
     Fault(
+        "what is let loose leaves carried friction to other contacts",
+        "equations/active_set.c",
+        "x->version++;\n    append_carried(w);",
+        "x->version++;",
+    ),
+    Fault(
         "capture: lets go when it would pull",
         "equations/active_set.c",
         "status = append_captured(w, basis)",

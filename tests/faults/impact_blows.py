@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "contacts that depend on each other at the place of a blow all hold",
+        "impact/impact_trial.c",
+        "if (!status && !w->active.clear && pm_active_set_let_loose(w) > 0)",
+        "if (!status && !w->active.clear && w->active.n < 0)",
+    ),
+    Fault(
         "a blow that was followed in vain leaves its mode behind",
         "impact/impact_trial.c",
         "return b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",

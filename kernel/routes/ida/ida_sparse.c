@@ -17,7 +17,6 @@
 
 #include <suitesparse/klu.h>
 
-#include "equations/saddle.h"
 #include "numerics/tolerances.h"
 #include "state/arena.h"
 #include "state/workspace.h"

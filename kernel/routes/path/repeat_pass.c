@@ -8,7 +8,6 @@
 #include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/ledger.h"
-#include "events/event.h"
 #include "routes/path/path.h"
 #include "routes/path/repeat.h"
 #include "state/frame.h"

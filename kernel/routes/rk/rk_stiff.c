@@ -10,7 +10,6 @@
 #include "numerics/tolerances.h"
 #include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
-#include "scene/build.h"
 #include "state/workspace.h"
 
 static double stretch(const pm_workspace *w)

@@ -15,7 +15,6 @@
 #include "elements/joint_friction.h"
 #include "equations/case.h"
 #include "equations/projection.h"
-#include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/event_search.h"

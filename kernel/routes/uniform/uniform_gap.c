@@ -11,7 +11,6 @@
 #include "elements/constraint.h"
 #include "elements/contact.h"
 #include "elements/edge.h"
-#include "equations/saddle.h"
 #include "events/event.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"

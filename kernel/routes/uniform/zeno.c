@@ -24,7 +24,6 @@
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "elements/trigger.h"
-#include "equations/case.h"
 #include "equations/ledger.h"
 #include "equations/projection.h"
 #include "equations/saddle.h"
