@@ -237,7 +237,9 @@ enum pm_decision {
     PM_DECISION_SLIP_LEFT = 10,
     PM_DECISION_MEETS = 11,
     PM_DECISION_PARTS = 12,
-    PM_DECISION_SHARES = 13
+    PM_DECISION_SHARES = 13,
+    PM_DECISION_ENDS =
+        14 /* whether the run goes on there: another pass came to the end of what can be computed */
 };
 enum pm_count_column {
     PM_COUNT_PHASES = 0,

@@ -37,6 +37,18 @@ FAULTS = [
         "(void)are_other_instants;\n            if (1)",
     ),
     Fault(
+        "margin: a gap beside touching is compared as it is",
+        "study/margin.c",
+        "if (x->touching == 0 || y->touching == 0) return plain;",
+        "if (x->touching >= 0) return plain;",
+    ),
+    Fault(
+        "margin: where the other pass ended is not told",
+        "study/margin.c",
+        "else if (e->other->status != PM_OK)",
+        "else if (0)",
+    ),
+    Fault(
         "margin: undecided is not told",
         "study/margin.c",
         "p->status = PM_UNDECIDED;",

@@ -33,6 +33,7 @@ _DECISIONS = {
     layout.PM_DECISION_MEETS: "whether the two points meet",
     layout.PM_DECISION_PARTS: "whether the two part",
     layout.PM_DECISION_SHARES: "whether it and those that share its load hold",
+    layout.PM_DECISION_ENDS: "whether the run can go on there",
 }
 # Joints of which a place, an angle or a length is prescribed.
 _PRESCRIBED = frozenset(

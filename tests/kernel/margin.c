@@ -1,0 +1,64 @@
+/* What two passes say of a decision: how far apart they are, and where one ended otherwise. */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "study/accuracy.h"
+
+/* A log of one decision: a gap that is open by `gap` and touches as much as `touching` says. */
+static pm_evidence_log log_of(pm_evidence_decision *x, double gap, double touching)
+{
+    *x = (pm_evidence_decision){.kind = PM_EVIDENCE_VALUE,
+                                .trigger = PM_NONE,
+                                .distance = gap,
+                                .touching = touching,
+                                .reach = INFINITY,
+                                .unit = 1,
+                                .t = 1};
+    return (pm_evidence_log){.entry = x, .n = 1, .room = 1, .stride = 1};
+}
+
+static double margin_of(double gap, double touching, double other_gap, double other_touching)
+{
+    pm_evidence_decision x, y;
+    const pm_evidence_log a = log_of(&x, gap, touching), b = log_of(&y, other_gap, other_touching);
+    return pm_margin_of_logs(&a, &b, NULL).margin;
+}
+
+/* Gaps beside touching are far apart if both they and their parts of what counts as touching are. */
+static void beside_touching(void)
+{
+    NEAR(margin_of(3e-9, 0, 4e-9, 0), 3, 1e-6);
+    CHECK(margin_of(3e-9, 30, 3e-9, 1) > 1e5);  /* the same gap: nothing but rounding is between them */
+    CHECK(margin_of(3e-9, 30, 1e-10, 1) > 1e5); /* the same part: a looser pass touches from farther off */
+    NEAR(margin_of(3e-9, 30, 4e-9, 1), 3, 1e-6);
+}
+
+/* A pass that came no farther is where the run is in doubt. */
+static void other_ended(void)
+{
+    pm_accuracy e;
+    memset(&e, 0, sizeof e);
+    e.main = &e.pass[0];
+    e.other = &e.pass[1];
+    e.closest = (pm_closest){INFINITY, NULL, PM_NONE};
+    e.main->tied = e.other->tied = NAN;
+    e.main->outcome = 1;
+    e.other->status = PM_BOUNCES_ON;
+    e.other->where = (pm_where){PM_TABLE_CONTACT, 3, PM_NONE, 0.1, 0.2};
+    e.other->t = 7;
+    EQUAL(pm_margin_judge(&e, 1), 0);
+    pm_margin_undecided(NULL, &e, 0);
+    EQUAL(e.main->status, PM_UNDECIDED);
+    EQUAL(e.main->where.table, PM_TABLE_CONTACT);
+    EQUAL(e.main->where.row, 3);
+    EQUAL(e.main->where.member, PM_DECISION_ENDS);
+    NEAR(e.main->t, 7, 0);
+}
+
+int main(void)
+{
+    beside_touching();
+    other_ended();
+    return check_failures();
+}
