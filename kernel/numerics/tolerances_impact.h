@@ -13,7 +13,7 @@
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
 #define PM_PROBLEM_LEMKE_TIE 1e-9 /* likewise of Lemke's loads, which only propose modes; likewise */
-#define PM_PROBLEM_EXACT 1e-14 /* likewise: obeyed to rounding, which goes before what is obeyed within the tie; larger: next to places where contacts lock motions count as several, smaller: rounding chooses one of several */
+#define PM_PROBLEM_EXACT 1e-13 /* likewise: obeyed to rounding, which goes before what is obeyed within the tie; larger: next to places where contacts lock motions count as several, smaller: rounding chooses one of several */
 #define PM_PROBLEM_SAME 1e-7 /* of the scaled rates: the same motion; larger: motions that differ are taken for one */
 #define PM_PROBLEM_LARGEST 1e9 /* scaled load: beyond it the mode has no unique loads; larger: rounding is taken for loads */
 #define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
