@@ -238,8 +238,7 @@ enum pm_decision {
     PM_DECISION_MEETS = 11,
     PM_DECISION_PARTS = 12,
     PM_DECISION_SHARES = 13,
-    PM_DECISION_ENDS =
-        14 /* whether the run goes on there: another pass came to the end of what can be computed */
+    PM_DECISION_ENDS = 14 /* whether the run can go on there: the pass that it is compared with could not */
 };
 enum pm_count_column {
     PM_COUNT_PHASES = 0,

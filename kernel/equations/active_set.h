@@ -10,8 +10,9 @@
 int pm_active_set_build(pm_workspace *w);
 /* The normal of a sliding slot carries its tangent with this ratio of impulses, whatever its law says. */
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio);
-/* Of the constraints of contacts, which are evaluated, those that add next to nothing to the others here become redundant ones,
- * though elsewhere they would: those are kept first that add most.  How many do; the rest is to be evaluated again then. */
+/* Makes redundant what depends on other constraints at this place alone.  The constraints are evaluated before; joints stay, and
+ * of those of contacts the ones that add most to the rest are kept first.  Returns how many became redundant: if any did, the
+ * saddle is to be evaluated again. */
 int pm_active_set_let_loose(pm_workspace *w);
 /* Anchors the no-slip constraints of slot (just closed, stuck or captured) at the frame. */
 void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot);

@@ -38,8 +38,8 @@ static int build(pm_workspace *w, const pm_blow *b)
     return status;
 }
 
-/* Where corners meet, constraints of contacts may depend on each other at this place though not next to it.  The blow is over
- * before anything moves: those that add nothing hold by the others. */
+/* Where corners meet, constraints of contacts may depend on each other at this place, though not next to it.  Nothing moves
+ * during the blow, so those that add nothing to the others hold whenever the others do. */
 static int build_independent(pm_workspace *w, const pm_blow *b)
 {
     const int status = build(w, b);

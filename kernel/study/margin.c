@@ -143,12 +143,6 @@ double pm_margin_judge(pm_accuracy *e, double share)
     return fmin(e->closest.margin, a->margin);
 }
 
-/* What the pass beside the main one ended at, if it ended otherwise than by coming to its end. */
-static pm_where where_it_ended(const pm_pass *p)
-{
-    return (pm_where){p->where.table, p->where.row, PM_DECISION_ENDS, 0, 0};
-}
-
 void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
 {
     pm_pass *p = e->main;
@@ -159,8 +153,10 @@ void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
         p->where.member = PM_DECISION_ORDER;
     else if (e->closest.margin <= margin)
         p->where = pm_event_evidence_where(model, &e->closest, &t);
-    else if (e->other->status != PM_OK)
-        p->where = where_it_ended(e->other), t = e->other->t;
+    else if (e->other->status != PM_OK) {
+        p->where = (pm_where){e->other->where.table, e->other->where.row, PM_DECISION_ENDS, 0, 0};
+        t = e->other->t;
+    }
     p->where.value = margin;
     p->where.bound = 1;
     if (!isnan(t)) p->t = t;

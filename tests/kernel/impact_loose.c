@@ -1,4 +1,5 @@
-/* Blows of contacts that depend on each other at their place, though not next to it: none of them ends singular, and no order in the file decides. */
+/* Blows of contacts whose constraints depend on each other at their place, though not next to it: none ends singular, and no
+ * order in the file decides. */
 #include <math.h>
 
 #include "check.h"

@@ -34,7 +34,7 @@ static void beside_touching(void)
     NEAR(margin_of(3e-9, 30, 4e-9, 1), 3, 1e-6);
 }
 
-/* A pass that came no farther is where the run is in doubt. */
+/* The run is in doubt where the pass that it is compared with could not go on. */
 static void other_ended(void)
 {
     pm_accuracy e;
