@@ -126,10 +126,11 @@ static void set_times(pm_workspace *w, const double *k)
 
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be
  * exact, and not carry circles through each other between two samples.  Nor may one in which reactions turn
- * with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
+ * with the bodies: the ledger of impulses, which does not choose the steps, is their integral.  In a coarse run these limits
+ * are longer, too: with the same steps it would have the same errors (accuracy.c). */
 static double longest_step(const pm_workspace *w)
 {
-    if (is_sampled(w->event, w->ask)) return fmin(w->rk->own, w->rk->meeting);
+    if (is_sampled(w->event, w->ask)) return fmin(w->numbers.coarse * w->rk->own, w->rk->meeting);
     return w->active.n > 0 ? w->rk->rotation_time : INFINITY;
 }
 
@@ -231,6 +232,12 @@ static int choose_again(pm_workspace *w)
     return pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
 }
 
+/* A coarse run takes in halves what the main one covers in a single step: it would have the same error. */
+static double first_step(const pm_workspace *w, double h, double whole)
+{
+    return w->numbers.coarse > 1 && h >= w->numbers.coarse * whole ? 0.5 * whole : h;
+}
+
 static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
@@ -239,9 +246,12 @@ static int step(pm_workspace *w, double t_limit)
     memcpy(r->momentum, r->momentum_now, sizeof r->momentum);
     memcpy(r->y0, r->now, (size_t)r->all * sizeof(double));
     if (r->swift) pm_tree_small_refer(&w->frame, w->tree, r->y0);
+    const int begins = !r->k0_ready;
     int status = first_stage(w);
     if (status) return status;
-    double h = fmin(r->next, longest_step(w)), first = h;
+    double h = fmin(r->next, longest_step(w));
+    if (begins) h = first_step(w, h, t_limit - r->t0);
+    double first = h;
     for (int rejected = 0, sidesteps = 0;;) {
         /* what would be left may be too short for a step of its own */
         const int last = r->t0 + h >= t_limit - 2 * PM_RK_LEAST_STEP * fabs(t_limit);
