@@ -348,3 +348,14 @@ double pm_case_shift(const pm_workspace *w, pm_state *shifted)
     shifted->t += PM_SHIFT * n->size / n->speed;
     return PM_SHIFT;
 }
+
+double pm_case_apart(const pm_numbers *numbers, int nq, const double *a, const double *b)
+{
+    double apart = 0;
+    for (int i = 0; i < nq; i++) {
+        const double length = i % 3 == 2 ? 1 : numbers->size;
+        const double place = fabs(a[i] - b[i]), speed = fabs(a[nq + i] - b[nq + i]);
+        apart = pm_max((place + speed * numbers->size / numbers->speed) / length, apart);
+    }
+    return apart;
+}

@@ -299,6 +299,7 @@
 #define PM_ACCURACY_AIM 0.1 /* of the accuracy asked, when the tolerance is tightened; more: may need another pass */
 #define PM_ACCURACY_OF_TERMS 4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
 #define PM_ACCURACY_OF_STEP 2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
+#define PM_ACCURACY_OF_MOTION 0.1 /* of the error of the state at the end, as a time: least error of what is asked there; more: told too large; less: differences that are small by chance are believed */
 #define PM_ACCURACY_NEIGHBOURS 8 /* part of a list that is known no better than its worst value; more: errors that are small by chance are believed */
 #define PM_SCALES_STEPS 0.6 /* of the power by which steps should grow with the tolerance: other limits chose them below; less: rounding is taken for the error of a method */
 #define PM_SCALES_ERRORS 10.0 /* times the error that should be left at a tighter tolerance: it is of another kind beyond; more: such errors are told too small */

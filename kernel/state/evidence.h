@@ -73,6 +73,7 @@ typedef struct pm_pass {
     double margin;    /* of the decisions whose errors the route itself gave */
     double relative;  /* greatest error of T on its paths, of T */
     double late;      /* of the time along them: what the nodes of the steps did not resolve */
+    double *end;      /* [2][nq] positions, velocities with which it ended */
     double *extreme;  /* [2][ntrigger] nearest to zero of a decision by forces, and how far nearby */
     int cut;          /* a series of blows without end was cut off, by its error in time */
     int unsure;       /* the extremes of such a function are not known */

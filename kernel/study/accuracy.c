@@ -48,7 +48,7 @@ static int create(pm_workspace *w)
     PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
     const pm_array array[] = {
         OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),     OF_EACH_PASS(more, m->nout),
-        OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask),    PM_ARRAY(e->kept, m->nout),
+        OF_EACH_PASS(end, 2 * m->nq), OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask),    PM_ARRAY(e->kept, m->nout),
         PM_ARRAY(e->discrete, m->nask),      PM_ARRAY(e->neighbours, m->nout),
     };
 #undef OF_EACH_PASS
@@ -117,6 +117,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     p->where = w->result.where;
     p->ordered = w->result.ordered;
     p->t = w->state.t;
+    memcpy(p->end, w->state.q, 2 * (size_t)w->model->nq * sizeof *p->end); /* v stands behind q */
     p->tolerance = w->numbers.tolerance;
     p->outcome = outcome_of(w->model, &w->firing, p);
 }

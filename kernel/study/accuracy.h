@@ -16,6 +16,7 @@ typedef struct pm_accuracy {
     const pm_pass *before;   /* the main pass before, at a looser tolerance; NULL: there is none */
     double *neighbours;      /* [nout] scratch: errors of a list */
     pm_natural_size size;    /* of asks and triggers, at the end of the main pass */
+    double late;             /* s: the error of the state at the end, as a time along its motion */
     double *kept;            /* [nout] errors of the main pass, while another is tried */
     pm_closest closest;      /* decision of the main pass, as its log, or the route, tells it */
     unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */

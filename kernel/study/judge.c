@@ -4,7 +4,7 @@
  * by chance:
  *
  *     error = max(spread |a' - a| / PM_COARSER, PM_ACCURACY_CLAIMED scale, PM_ACCURACY_OF_TERMS terms,
- *                 PM_ACCURACY_OF_STEP steps |a|)
+ *                 PM_ACCURACY_OF_STEP steps |a|, PM_ACCURACY_OF_MOTION late |da/dt|)
  *
  * Beside a main pass before, at a looser tolerance, it is at least spread |a - a''| tolerance / tolerance''; in a list no value is
  * known better than its neighbours.
@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "events/ask.h"
+#include "equations/case.h"
 #include "expression/program_class.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -59,6 +60,28 @@ static double estimate(const pm_workspace *w, double share, int column)
     return isnan(off) ? INFINITY : fmax(share * off, beside_before(w, column));
 }
 
+/* Whether it is asked of the end, and nobody but the difference of two runs knows its error. */
+static int is_of_end(const pm_workspace *w, int ask)
+{
+    const int32_t *row = PM_ASK_ROW(w->model, ask);
+    return row[PM_ASK_KIND] == PM_ASK_END && isnan(w->accuracy->main->error[row[PM_ASK_OUT]]);
+}
+
+/* The state at the end errs mostly along its motion, as if it were late.  An answer of the end that two runs tell alike by chance
+ * is known no better than a part of what it changes by in that time. */
+static void find_late(pm_workspace *w, double share)
+{
+    pm_accuracy *e = w->accuracy;
+    const int nask = w->model->nask;
+    int ask = 0;
+    e->late = 0;
+    while (ask < nask && !is_of_end(w, ask)) ask++;
+    if (ask == nask || w->evidence.seeks || e->main->outcome != e->other->outcome) return;
+    e->late = share * pm_case_apart(&w->numbers, w->model->nq, e->main->end, e->other->end) *
+              w->numbers.size / w->numbers.speed;
+    pm_natural_size_find_rates(w, &e->size, e->neighbours);
+}
+
 /* Values of a list are those of one function at instants that follow each other: its error goes through zero between some of
  * them, and there the difference of two runs is small by chance.  None is known better than its neighbours. */
 static void spread_over_neighbours(int n, double *error, double *spare)
@@ -82,8 +105,10 @@ static double judge_ask(const pm_workspace *w, int ask, double share, double *er
 {
     const pm_accuracy *e = w->accuracy;
     const int first = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, ask)[PM_ASK_COUNT];
+    const double late = is_of_end(w, ask) ? PM_ACCURACY_OF_MOTION * e->late * e->size.rate[ask] : 0;
     double excess = 0;
-    for (int k = first; k < first + n; k++) error[k] = isnan(e->main->out[k]) ? NAN : estimate(w, share, k);
+    for (int k = first; k < first + n; k++)
+        error[k] = isnan(e->main->out[k]) ? NAN : fmax(estimate(w, share, k), late);
     if (n > 1 && isnan(e->main->error[first])) spread_over_neighbours(n, error + first, e->neighbours);
     for (int k = first; k < first + n; k++) {
         if (isnan(error[k])) continue;
@@ -191,6 +216,7 @@ void pm_judge(pm_workspace *w, double *error, double *trust)
 {
     const int alike = pm_margin_same_jumps(w->accuracy);
     const double of_errors = share_of(&w->phase, w->accuracy), share = alike ? of_errors : fmax(1, of_errors);
+    find_late(w, share);
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
     if (w->evidence.seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = pm_margin_judge(w->accuracy, share);

@@ -28,13 +28,21 @@
 #include "state/workspace.h"
 
 /* ---- by the state ---- */
-static int look_at_programs(pm_workspace *w, int level, const pm_state *s, double *ask, double *trigger)
+static int look_at_asks(pm_workspace *w, int level, const pm_state *s, double *ask)
 {
     const pm_model *m = w->model;
     pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
     const int status = level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;
     if (status) return status;
     for (int i = 0; i < m->nask; i++) ask[i] = pm_program_run(w, PM_ASK_ROW(m, i)[PM_ASK_PROGRAM]);
+    return PM_OK;
+}
+
+static int look_at_programs(pm_workspace *w, int level, const pm_state *s, double *ask, double *trigger)
+{
+    const pm_model *m = w->model;
+    const int status = look_at_asks(w, level, s, ask);
+    if (status) return status;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
         trigger[i] = PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0 ? pm_trigger_program(w, i) : 0;
     return PM_OK;
@@ -190,7 +198,7 @@ int pm_natural_size_create(pm_workspace *w, pm_natural_size *x)
     const pm_array array[] = {
         PM_ARRAY(x->ask, m->nask),     PM_ARRAY(x->terms, m->nask),
         PM_ARRAY(x->largest, m->nask), PM_ARRAY(x->trigger, m->rows[PM_TABLE_TRIGGER]),
-        PM_ARRAY(x->shifts, m->nask),
+        PM_ARRAY(x->rate, m->nask),    PM_ARRAY(x->shifts, m->nask),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     x->level = level_needed(w);
@@ -214,4 +222,31 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
         if (pm_model_ask_is_integral(PM_ASK_ROW(w->model, i))) take_integral(w, x, i);
     add_derived(w, x);
     for (int i = 0; i < ntrigger; i++) x->trigger[i] = size_of(x->trigger[i], trigger[i], part);
+}
+
+/* ---- by the motion ---- */
+/* Accelerations are those at w->state. */
+static double move_on(const pm_workspace *w, const double *a, pm_state *moved)
+{
+    const double h = PM_SHIFT * w->numbers.size / w->numbers.speed;
+    pm_state_copy(moved, &w->state);
+    for (int i = 0; i < w->model->nq; i++) {
+        moved->q[i] += h * moved->v[i];
+        moved->v[i] += h * a[i];
+    }
+    moved->t += h;
+    return h;
+}
+
+void pm_natural_size_find_rates(pm_workspace *w, pm_natural_size *x, double *ask)
+{
+    const size_t bytes = (size_t)w->model->nask * sizeof(double);
+    memset(x->rate, 0, bytes);
+    if (look_at_asks(w, PM_LEVEL_DYNAMIC, &w->state, ask)) return;
+    const double h = move_on(w, w->frame.a, &w->probe);
+    if (look_at_asks(w, x->level, &w->probe, x->rate)) {
+        memset(x->rate, 0, bytes);
+        return;
+    }
+    for (int i = 0; i < w->model->nask; i++) x->rate[i] = size_of(x->rate[i], ask[i], h);
 }
