@@ -106,6 +106,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->result.reason = p->reason;
     w->result.audit = p->audit;
     w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1;
+    w->evidence.few = coarse && e->main->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW;
     w->evidence.late = coarse ? e->main->late * PM_COARSER / w->phase.route->spread : 0;
     if (coarse) w->record.history = NULL, w->record.phases = NULL;
     if (w->record.history) pm_history_reset(w->record.history); /* the last pass is the one recorded */

@@ -232,10 +232,13 @@ static int choose_again(pm_workspace *w)
     return pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
 }
 
-/* A coarse run takes in halves what the main one covers in a single step: it would have the same error. */
-static double first_step(const pm_workspace *w, double h, double whole)
+/* A coarse run would have the same error where the main one covers a phase in a single step, or by chance where that one takes few:
+ * it takes more of them there, and the difference is the error of the main one. */
+static double coarse_step(const pm_workspace *w, double h, int begins, double whole)
 {
-    return w->numbers.coarse > 1 && h >= w->numbers.coarse * whole ? 0.5 * whole : h;
+    const double most = begins ? 0.5 * whole : INFINITY;
+    if (w->evidence.few) return fmin(PM_RK_FINE * h, most);
+    return h >= w->numbers.coarse * whole ? fmin(h, most) : h;
 }
 
 static int step(pm_workspace *w, double t_limit)
@@ -250,7 +253,7 @@ static int step(pm_workspace *w, double t_limit)
     int status = first_stage(w);
     if (status) return status;
     double h = fmin(r->next, longest_step(w));
-    if (begins) h = first_step(w, h, t_limit - r->t0);
+    if (w->numbers.coarse > 1) h = coarse_step(w, h, begins, t_limit - r->t0);
     double first = h;
     for (int rejected = 0, sidesteps = 0;;) {
         /* what would be left may be too short for a step of its own */
