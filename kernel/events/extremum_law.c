@@ -16,6 +16,13 @@ static int program_of(const pm_workspace *w, int ask) { return pm_ask_program(PM
 
 int pm_extremum_law_known(const pm_workspace *w, int ask) { return pm_waves_tell_law(w, program_of(w, ask)); }
 
+int pm_extremum_law_may_be_steep(const pm_workspace *w, const pm_extremum *p)
+{
+    if (!p->law || w->ask->switches[p->ask] == 0) return 0;
+    const pm_interval bounds = pm_waves_bounds(w, program_of(w, p->ask));
+    return !((p->sign > 0 ? bounds.hi : -bounds.lo) <= p->best);
+}
+
 static pm_jet law(const pm_workspace *w, const pm_extremum *p, double s)
 {
     return pm_waves_law(w, program_of(w, p->ask), p->branch ? p->branch->here.sign : NULL, s);

@@ -310,6 +310,11 @@ pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign,
     return pm_enclosure_at(w->model, program, w->numbers.folded, &w->watched->waves->along, sign, s);
 }
 
+pm_interval pm_waves_bounds(const pm_workspace *w, int program)
+{
+    return enclose(&(pm_waves_course){.w = w, .program = program}, 0, 1).jet.value;
+}
+
 /* ---- all of them ---- */
 /* The series of the measures that such programs read. */
 static void fill_series(pm_workspace *w, int functions, int watched)
