@@ -39,7 +39,7 @@ def test_no_peak_with_corners_is_missed() -> None:
     ("move", "route"), [(move, route) for move, routes in tops.ROUTES.items() for route in routes]
 )
 def test_narrow_tops_are_exact(move: str, route: str) -> None:
-    """Beside ends of windows, where half of a top looks like a straight line, and in a node of one branch alone."""
+    """Beside ends of windows, where half of a top looks like a straight line, and in one node by chance."""
     for i, shape in enumerate(tops.SHAPES):
         for behind in tops.BEHIND:
             off, cases = tops.table(tops.Top(move, route, shape, behind), i, 12)

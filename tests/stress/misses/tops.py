@@ -1,7 +1,7 @@
 """Narrow tops of an expression along an even motion, most of them where windows of a step end.
 
-Where x of a body is v t, f((x - a)/w) has its one top, which is known in closed form, whatever a and w are: what is found
-beside it, for tops alone and behind abs, min and max.
+Where x of a body is v t, f((x - a)/w) has its one top, which is known in closed form, whatever a and w are:
+what is found beside it, for tops alone and behind abs, min and max.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ BEHIND: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf]]] = {
 }
 MOVES = {
     "glides": (
-        'plane = "horizontal"\nbodies.k = { mass = "1 kg", at = [0, 0] }\nstart.k.velocity = ["v", "0 m/s"]\n',
+        'plane = "horizontal"\nbodies.k = { mass = "1 kg", at = [0, 0] }\n'
+        'start.k.velocity = ["v", "0 m/s"]\n',
         "(k.x/(1 m))",
         "m/s",
     ),
@@ -96,7 +97,7 @@ route = "{self.route}"
 
 
 def numbers(top: Top, rng: np.random.Generator) -> dict[str, float]:
-    """Of one case: the place of its top is between 0.1 and 0.9, in most beside a part of the run by halves."""
+    """Of one case: the place of its top is between 0.1 and 0.9, mostly beside a part of the run by halves."""
     v, halvings = rng.uniform(0.5, 5), int(rng.integers(1, 7))
     whole = rng.integers(1, 2**halvings) / 2**halvings
     at = np.clip(whole if rng.random() < 0.8 else rng.uniform(), 0.1, 0.9)
