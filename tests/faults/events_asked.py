@@ -72,12 +72,6 @@ FAULTS = [
         "if (!p->law || w->ask->switches[p->ask] == 0)",
         "if (1)",
     ),
-    Fault(
-        "law: of the branch that is taken",
-        "events/extremum_law.c",
-        "p->branch ? p->branch->here.sign : NULL",
-        "NULL",
-    ),
     Fault("branch: a program takes but one", "events/extremum_branch.c", "return found;", "return 0;"),
     Fault(
         "branch: a corner is no extreme",
