@@ -231,6 +231,7 @@ int pm_event_samples_fill(pm_workspace *w, int with_functions, int *shown)
     *shown = 1;
     if (!functions && !watched) return PM_OK;
     const int waves = pm_waves_possible(w, functions, watched);
+    pm_waves_forget(w);
     const int status = (few ? sample_few : sample_finer)(w, functions, watched, waves, shown);
     return status || !functions ? status : finish_functions(w);
 }

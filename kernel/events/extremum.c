@@ -130,11 +130,15 @@ static int next_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k
     return n;
 }
 
-static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
+/* *shown is 0 if one of them is not as the samples show it. */
+static int extremes_of_samples(pm_workspace *w, pm_extremum *p, int *shown)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
+    *shown = 1;
     for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
         const double s = vertex(nodes, p, k);
+        *shown = !p->law || !pm_extremum_law_denies(w, p, k);
+        if (!*shown) return PM_OK;
         if (isnan(s)) continue;
         const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, s);
         if (x.s <= p->end) p->met |= 1u << pm_extremum_rise_interval(nodes, x.s);
@@ -149,6 +153,7 @@ static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
 static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, double spread)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
+    if (p->law) return pm_extremum_search_root(w, p, k);
     const double flat = PM_EXTREMUM_FLAT * spread / (nodes->at[k + 1] - nodes->at[k]);
     const double a = pm_chebyshev_slope_at(nodes, p->g, k), b = pm_chebyshev_slope_at(nodes, p->g, k + 1);
     if (a < -flat || b > flat || pm_step_node(&w->step, k) >= w->step.end) return PM_OK;
@@ -179,14 +184,14 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     /* an extreme between the nodes exceeds them by no more than their spread */
-    if (spread <= PM_EXTREMUM_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
+    if (spread <= PM_EXTREMUM_LEVEL * p->size || (!p->steep && p->g[top] + spread < p->best)) return PM_OK;
+    const double wide = p->steep ? INFINITY : PM_EXTREMUM_WIDE;
     p->tail = INFINITY;
     p->met = 0;
     const int spectral =
         pm_chebyshev_nodes_spectral(nodes) && !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask));
     if (spectral) {
-        if (next_top(nodes, p, 0, PM_EXTREMUM_WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p))
-            return PM_OK;
+        if (next_top(nodes, p, 0, wide) == nodes->n && !pm_extremum_hidden_possible(nodes, p)) return PM_OK;
         p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
         p->slope_error = PM_EXTREMUM_SLOPE_TAIL * nodes->n * p->tail * p->size;
         p->nothing = pm_max(PM_EXTREMUM_NOTHING, PM_EXTREMUM_SHARE * w->numbers.tolerance) * p->size;
@@ -197,8 +202,13 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         const int status = pm_extremum_branch_all(w, p, &taken);
         if (status || taken) return status;
     }
-    if (spectral && p->tail < PM_CHEBYSHEV_SMOOTH) return extremes_of_samples(w, p);
-    for (int k = 0; (k = next_top(nodes, p, k, PM_EXTREMUM_WIDE)) < nodes->n; k++) {
+    if (spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH)) {
+        int shown;
+        const int status = extremes_of_samples(w, p, &shown);
+        if (status || shown) return status;
+    }
+    if (p->law) p->tail = INFINITY;
+    for (int k = 0; (k = next_top(nodes, p, k, wide)) < nodes->n; k++) {
         p->met |= (k > 0 ? 3u << (k - 1) : 1u);
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
@@ -221,7 +231,9 @@ int pm_extremum_take(pm_workspace *w, int ask)
     const double *sample = pm_ask_samples(w, ask);
     pm_extremum p = {.ask = ask,
                      .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1,
-                     .last = w->step.nodes->n - 1};
+                     .last = w->step.nodes->n - 1,
+                     .law = pm_chebyshev_nodes_spectral(w->step.nodes) &&
+                            !pm_ask_at_extreme(PM_ASK_ROW(w->model, ask)) && pm_extremum_law_known(w, ask)};
     const int inside = nodes_inside(&w->step);
     double least = INFINITY;
     int top = 0, top_inside = 0;
@@ -239,6 +251,7 @@ int pm_extremum_take(pm_workspace *w, int ask)
     p.end = (w->step.end - w->step.begin) / (w->step.sampled_end - w->step.begin);
     const double best = p.sign * w->ask->best[ask];
     p.best = best > p.g[top_inside] ? best : p.g[top_inside];
+    p.steep = pm_extremum_law_may_be_steep(w, &p);
     const int status = pm_extremum_find(w, &p, top, p.g[top] - least);
     return status ? status : offer_node(w, &p, top_inside);
 }

@@ -32,6 +32,7 @@ enum { NOTHING_MORE = 0, SWITCHES_ONLY = 1, WAVES = 2 };
 typedef struct pm_waves {
     unsigned char *possible; /* [programs] of these */
     pm_measure_series along; /* series[watched measures] */
+    int filled;              /* those that asks read are of the present step */
 } pm_waves;
 
 /* ---- which programs ---- */
@@ -90,6 +91,8 @@ int pm_waves_may_be(const pm_workspace *w, int program)
 {
     return w->watched->waves->possible[program] == WAVES;
 }
+
+void pm_waves_forget(pm_workspace *w) { w->watched->waves->filled = 0; }
 
 static int trigger_program(const pm_workspace *w, int function)
 {
@@ -295,12 +298,30 @@ static int is_shown_by_few(const pm_waves_course *c)
     return left_out <= PM_WAVES_FEW * pm_interval_width(range) + nothing_of(c, range);
 }
 
+int pm_waves_tell_law(const pm_workspace *w, int program)
+{
+    const pm_waves *x = w->watched->waves;
+    const pm_waves_course c = {.w = w, .program = program};
+    return x->filled && x->possible[program] == WAVES && known(&c) == SERIES_KNOWN;
+}
+
+pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign, double s)
+{
+    return pm_enclosure_at(w->model, program, w->numbers.folded, &w->watched->waves->along, sign, s);
+}
+
+pm_interval pm_waves_bounds(const pm_workspace *w, int program)
+{
+    return enclose(&(pm_waves_course){.w = w, .program = program}, 0, 1).jet.value;
+}
+
 /* ---- all of them ---- */
 /* The series of the measures that such programs read. */
 static void fill_series(pm_workspace *w, int functions, int watched)
 {
     const pm_watched_samples *s = w->watched;
     const int who = (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0);
+    w->watched->waves->filled = watched;
     for (int i = 0; i < s->n; i++)
         if (s->who[i] & who)
             pm_chebyshev_series_of(w->watched->waves->along.series + i, w->step.nodes,

@@ -6,6 +6,7 @@
 #ifndef PM_WAVES_H
 #define PM_WAVES_H
 
+#include "expression/enclosure.h"
 #include "state/workspace.h"
 
 /* All watched programs are known (watched_samples.h). */
@@ -21,6 +22,15 @@ int pm_waves_are_shown(pm_workspace *w, int functions, int watched);
 /* Where in the step that was sampled so (0 to 1) something first switches, of what is not looked at branch by branch; INFINITY if
  * nothing does, or that is not told. */
 double pm_waves_first_switch(pm_workspace *w, int functions, int watched);
+/* Nothing has been sampled that tells a program's law. */
+void pm_waves_forget(pm_workspace *w);
+/* 1 if the samples of all measures that a program reads, which may have waves by them, show these along the step. */
+int pm_waves_tell_law(const pm_workspace *w, int program);
+/* The program at s (0 to 1) of the step by its law: what it makes of its measures there; of the branch with these signs, or
+ * (NULL) of the one that is taken. */
+pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign, double s);
+/* What the program's values along the step cannot leave, by its law. */
+pm_interval pm_waves_bounds(const pm_workspace *w, int program);
 /* 1 if samples at few nodes, as routes have them, would show these, too. */
 int pm_waves_are_shown_by_few(pm_workspace *w, int functions, int watched);
 

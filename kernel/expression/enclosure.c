@@ -110,8 +110,23 @@ static pm_jet series_jet(const pm_chebyshev_series *series, double from, double 
     return (pm_jet){{x.at[0], x.at[1], x.at[2]}, x.value, x.rate, x.bend, 0, 0};
 }
 
-pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,
-                                const pm_measure_series *along, double from, double to)
+/* What a switch makes of its operands a[0], a[1], as its sign says. */
+static pm_jet branch_jet(int op, int sign, const pm_jet *a)
+{
+    const pm_jet turned = pm_jet_of_one(PM_OP_NEG, a);
+    if (op == PM_OP_ABS) return sign < 0 ? turned : a[0];
+    if (pm_operation_has(op, PM_OPERATION_JUMPS)) return number_jet(pm_operations[op].two(sign, 0));
+    return a[op == PM_OP_MIN ? sign > 0 : sign < 0];
+}
+
+static int is_switch(const pm_program_step *s)
+{
+    return s->kind != STEP_SELECT && s->kind != STEP_TABLE && pm_operation_has(s->op, SWITCHES);
+}
+
+/* Along [from, to]; sign: of the switches that are given, NULL: none is. */
+static pm_enclosure enclose(const pm_model *m, int index, const double *number,
+                            const pm_measure_series *along, const signed char *sign, double from, double to)
 {
     const pm_program_fold *f = m->programs.fold;
     pm_enclosure e = {.open = 0};
@@ -129,8 +144,23 @@ pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *numb
         case STEP_WITH_NUMBER: stack[top + 1] = number_jet(number[s->arg]); break;
         default: top -= pm_operations[s->op].takes - 1;
         }
-        operate(m, s->op, s->arg, stack + top, &e);
+        if (sign && is_switch(s))
+            stack[top] = branch_jet(s->op, *sign++, stack + top);
+        else
+            operate(m, s->op, s->arg, stack + top, &e);
     }
     e.jet = stack[0];
     return e;
+}
+
+pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,
+                                const pm_measure_series *along, double from, double to)
+{
+    return enclose(m, index, number, along, NULL, from, to);
+}
+
+pm_jet pm_enclosure_at(const pm_model *m, int index, const double *number, const pm_measure_series *along,
+                       const signed char *sign, double s)
+{
+    return enclose(m, index, number, along, sign, s, s).jet;
 }

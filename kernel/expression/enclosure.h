@@ -45,6 +45,11 @@ typedef struct pm_measure_series {
 pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,
                                 const pm_measure_series *along, double from, double to);
 
+/* The same at one place, of the branch with these signs of its switches (pm_switches in program.h); NULL: the one that is taken
+ * there. */
+pm_jet pm_enclosure_at(const pm_model *m, int index, const double *number, const pm_measure_series *along,
+                       const signed char *sign, double s);
+
 /* The bends of a program at the samples of a stretch, widened by what changes nothing and by how far samples tell more than
  * themselves: they do not show a bend in between that lies outside. */
 pm_interval pm_enclosure_sampled_bends(pm_interval at_samples, double nothing);

@@ -60,6 +60,18 @@ FAULTS = [
         "return a->rate > 0 && b->rate < 0",
         "return a->rate < 0 && b->rate > 0",
     ),
+    Fault(
+        "law: samples tell every slope",
+        "events/extremum_law.c",
+        "return !(bend < 0) ||",
+        "return 0 && !(bend < 0) &&",
+    ),
+    Fault(
+        "law: no top rises by more than nodes differ",
+        "events/extremum_law.c",
+        "if (!p->law || w->ask->switches[p->ask] == 0)",
+        "if (1)",
+    ),
     Fault("branch: a program takes but one", "events/extremum_branch.c", "return found;", "return 0;"),
     Fault(
         "branch: a corner is no extreme",

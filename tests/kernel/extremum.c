@@ -145,6 +145,29 @@ static void parted_tops(int route, double a, double e, double middle, double end
     expect_extreme(x, middle - near, middle + near, 1, 1e-11);
 }
 
+/* max(1 - sqrt(u^2 + e^2), -9): narrow beside the way, most of them beside a part of it by halves, where a window ends: each half
+ * of the top is a straight line with a corner at its end. */
+static void narrow_top(int route, double e, int halvings)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(
+        x.s, PM_ASK_MAX,
+        SCENE_PROGRAM(x.s, K(1), U, SQUARE, K(e * e), ADD, scene_op(PM_OP_SQRT), SUB, K(-9), MAX), PM_NONE);
+    const double middle = END / (1 << halvings);
+    expect_extreme(x, middle - 2 * e, middle + 2 * e, 1 - e, 1e-11);
+}
+
+/* max(exp(-(u / e)^2), 0.9 - u / 100): no node or one by chance stands in its top. */
+static void top_over_floor(int route, double e)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(x.s, U, K(e), scene_op(PM_OP_DIV), SQUARE, scene_op(PM_OP_NEG),
+                                    scene_op(PM_OP_EXP), K(0.95), U, K(100), scene_op(PM_OP_DIV), SUB, MAX),
+                      PM_NONE);
+    expect_extreme(x, 0.3, 2.7, 1, 1e-11);
+}
+
 /* u^3 / 3 - e u, just what the cubic through two nodes is: the top at u = -sqrt(e), up to where the value rises again. */
 static void cubic_top(int route, double e)
 {
@@ -219,6 +242,12 @@ int main(void)
             }
         }
         for (int k = 0; k < PARTED; k++) cubic_top(routes[i], parted[k]);
+        for (int halvings = 1; halvings < 6; halvings++) {
+            narrow_top(routes[i], 1e-3, halvings);
+            narrow_top(routes[i], 1e-5, halvings);
+        }
+        top_over_floor(routes[i], 1e-2);
+        top_over_floor(routes[i], 1e-3);
         no_value_at_top(routes[i]);
         what_is_left_out_is_told(routes[i]);
     }

@@ -10,7 +10,7 @@ import pytest
 
 import planemotion
 from planemotion.engine.call import run_cases
-from tests.stress.misses import peaks, pulses, waves
+from tests.stress.misses import peaks, pulses, tops, waves
 from tests.stress.misses.motions import END, GRAVITY, SCENES, place
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
 
@@ -33,6 +33,19 @@ def test_no_peak_with_corners_is_missed() -> None:
         found.update(peaks.table(seed, 2)[1])
     assert found[MISSED] == found[BEYOND] == 0
     assert found[RIGHT] > 0.95 * 120
+
+
+@pytest.mark.parametrize(
+    ("move", "route"), [(move, route) for move, routes in tops.ROUTES.items() for route in routes]
+)
+def test_narrow_tops_are_exact(move: str, route: str) -> None:
+    """Beside ends of windows, where half of a top looks like a straight line, and in one node by chance."""
+    for i, shape in enumerate(tops.SHAPES):
+        for behind in tops.BEHIND:
+            off, cases = tops.table(tops.Top(move, route, shape, behind), i, 12)
+            wrong = np.flatnonzero(off > 1e-11)
+            assert len(wrong) == 0, (shape, behind, off[wrong], cases[wrong[0]])
+            assert np.isnan(off).sum() == 0
 
 
 @pytest.mark.parametrize("motion", SCENES)
