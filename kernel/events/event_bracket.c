@@ -152,11 +152,24 @@ static int shows_dip(const pm_event_course *x, int k)
 }
 
 /* ---- what was on its zero ---- */
+/* A slip held at zero is beyond it at b, where it is no slip in the way of its mode: it rests on zero as long as it is nothing.
+ * Other slips, with which it goes, may end before that. */
+static void leaves_later(pm_workspace *w, pm_event_function *f, double a, double b, pm_span *x)
+{
+    for (int i = 0; i < PM_BOUNCE_HALVINGS; i++) {
+        const double middle = 0.5 * (a + b);
+        if (middle <= a || middle >= b) break;
+        *(pm_event_samples_along(w, middle, f) < -f->slack ? &b : &a) = middle;
+    }
+    *x = (pm_span){a, a, 0, 0};
+}
+
 /* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
  * once and the event is now. */
 static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, double b, double gb,
                                pm_span *x)
 {
+    const double end = b;
     *x = (pm_span){a, a, 0, 0};
     for (int i = 0; i < PM_BOUNCE_HALVINGS; i++) {
         const double middle = 0.5 * (a + b), g = pm_event_samples_along(w, middle, f);
@@ -168,7 +181,9 @@ static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, 
         b = middle;
         gb = g;
     }
-    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
+    if (x->a != x->b) return;
+    if (f->kind == FUNCTION_SLIP) leaves_later(w, f, a, end, x);
+    if (f->kind == FUNCTION_GAP) w->event->spent[f->index] = 1;
 }
 
 /* A function held at zero at node k - 1 is above it at node k, but goes the wrong way before: *x to where it shows that. */
