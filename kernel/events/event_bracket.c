@@ -109,6 +109,14 @@ static double slope_towards(pm_workspace *w, pm_event_function *f, const double 
     return (pm_event_samples_along(w, x + d, f) - g[k]) / d;
 }
 
+/* The least of the cubic between values a and b with slopes p < 0 < q, and at which part t of the way. */
+static double bottom_of_cubic(double a, double b, double p, double q, double *t)
+{
+    const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
+    *t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
+    return *t > 0 && *t < 1 ? a + *t * (p + *t * (c2 + *t * c3)) : INFINITY;
+}
+
 /* A dip between node k and the next, shown by the slopes there: also one beside an end of the step, where three nodes do
  * not show it.  The bottom of the cubic through both values and slopes. */
 static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k, const double *x,
@@ -120,10 +128,9 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
     if (!(p < 0)) return 0;
     const double q = s * slope_towards(w, f, g, k + 1, x[1], x[0]) * h;
     if (!(q > 0)) return 0;
-    const double c2 = 3 * (b - a) - 2 * p - q, c3 = 2 * (a - b) + p + q;
-    const double t = -p / (c2 + sqrt(fmax(c2 * c2 - 3 * c3 * p, 0)));
     const double close = (hides_slopes(w, f) ? PM_DIP_HIDDEN : PM_DIP_CLOSE) * fmin(a, b);
-    if (!(t > 0 && t < 1) || a + t * (p + t * (c2 + t * c3)) > close) return 0;
+    double t;
+    if (!(bottom_of_cubic(a, b, p, q, &t) <= close)) return 0;
     *where = x[0] + t * h;
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
@@ -145,11 +152,24 @@ static int shows_dip(const pm_event_course *x, int k)
 }
 
 /* ---- what was on its zero ---- */
+/* A slip held at zero is beyond it at b, where it is no slip in the way of its mode: it rests on zero as long as it is nothing.
+ * Other slips, with which it goes, may end before that. */
+static void leaves_later(pm_workspace *w, pm_event_function *f, double a, double b, pm_span *x)
+{
+    for (int i = 0; i < PM_BOUNCE_HALVINGS; i++) {
+        const double middle = 0.5 * (a + b);
+        if (middle <= a || middle >= b) break;
+        *(pm_event_samples_along(w, middle, f) < -f->slack ? &b : &a) = middle;
+    }
+    *x = (pm_span){a, a, 0, 0};
+}
+
 /* A function held at zero is negative at b: it has gone up and come back (a short bounce), or it went the wrong way at
  * once and the event is now. */
 static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, double b, double gb,
                                pm_span *x)
 {
+    const double end = b;
     *x = (pm_span){a, a, 0, 0};
     for (int i = 0; i < PM_BOUNCE_HALVINGS; i++) {
         const double middle = 0.5 * (a + b), g = pm_event_samples_along(w, middle, f);
@@ -161,7 +181,23 @@ static void leaves_and_returns(pm_workspace *w, pm_event_function *f, double a, 
         b = middle;
         gb = g;
     }
-    if (f->kind == FUNCTION_GAP && x->a == x->b) w->event->spent[f->index] = 1;
+    if (x->a != x->b) return;
+    if (f->kind == FUNCTION_SLIP) leaves_later(w, f, a, end, x);
+    if (f->kind == FUNCTION_GAP) w->event->spent[f->index] = 1;
+}
+
+/* A function held at zero at node k - 1 is above it at node k, but goes the wrong way before: *x to where it shows that. */
+static int dips_at_once(pm_workspace *w, pm_event_function *f, const pm_event_course *of, int k, pm_span *x)
+{
+    const double h = x->b - x->a, p = slope_at(&w->step, of->g, k - 1) * h;
+    double t;
+    if (!(p < 0)) return 0;
+    const double q = slope_at(&w->step, of->g, k) * h;
+    if (!(q > 0) || !(bottom_of_cubic(of->g[k - 1], of->g[k], p, q, &t) < -f->slack)) return 0;
+    const double place = x->a + t * h, value = pm_event_samples_along(w, place, f);
+    if (!(value < -f->slack)) return 0;
+    *x = (pm_span){x->a, place, 0, value};
+    return 1;
 }
 
 /* Node k is the first on which a gap, or a load, that was on zero is off it. */
@@ -170,7 +206,7 @@ static int returns_after(pm_workspace *w, int i, const pm_event_course *of, int 
     const double a = w->event->place[k - 1];
     pm_event_function *f = &w->event->function[i];
     *x = (pm_span){a, w->event->place[k], 0, of->g[k]};
-    if (!(of->g[k] < 0) &&
+    if (!(of->g[k] < 0) && !dips_at_once(w, f, of, k, x) &&
         (f->edge == PM_NONE || !pm_edge_passage_after(w, i, k - 1, pm_event_samples_along, x)))
         return 0;
     if (x->a == a) leaves_and_returns(w, f, a, x->b, x->gb, x);

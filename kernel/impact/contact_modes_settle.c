@@ -198,21 +198,46 @@ static int reverse_nearly(pm_workspace *w, int from, int most)
     return 0;
 }
 
-/* Where constraints depend on each other for an instant, the others may hold a contact to the first order, which they move apart
- * to the second: it is let go.  1 where all stand then. */
-static int let_one_go(pm_workspace *w)
+/* ---- contacts that others hold ---- */
+typedef struct pm_few_slots {
+    int slot[PM_LET_GO_FEW], n;
+} pm_few_slots;
+
+static int few_approach(const pm_workspace *w, const pm_few_slots *few)
 {
-    for (int i = 0; i < w->model->nslot; i++) {
+    for (int i = 0; i < few->n; i++)
+        if (approaches_at(w, few->slot[i], PM_APART_IN_TIME)) return 1;
+    return 0;
+}
+
+/* Up to `most` more contacts, from this slot on, are let go: 1 where all stand then. */
+static int let_few_go_from(pm_workspace *w, int from, int most, pm_few_slots *few)
+{
+    for (int i = from; i < w->model->nslot; i++) {
         pm_slot *s = &w->state.slot[i];
         const int32_t mode = s->mode;
         const unsigned char released = w->instant.slot_released[i];
         if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
         s->mode = PM_OPEN;
         w->instant.slot_released[i] = 0;
-        const int stand = stand_now(w) && !approaches_at(w, i, PM_APART_IN_TIME);
+        few->slot[few->n++] = i;
+        const int stand =
+            most > 1 ? let_few_go_from(w, i + 1, most - 1, few) : stand_now(w) && !few_approach(w, few);
+        few->n--;
         w->instant.slot_released[i] = stand ? PM_LET_GO : released;
         if (stand) return 1;
         s->mode = mode;
+    }
+    return 0;
+}
+
+/* Where constraints depend on each other for an instant, the others may hold a contact to the first order, which they move apart
+ * to the second: it is let go, and as few as may be.  1 where all stand then. */
+static int let_few_go(pm_workspace *w)
+{
+    for (int most = 1; most <= PM_LET_GO_FEW; most++) {
+        pm_few_slots few = {.n = 0};
+        if (let_few_go_from(w, 0, most, &few)) return 1;
     }
     take_back(w);
     return 0;
@@ -328,7 +353,7 @@ int pm_contact_modes_settle(pm_workspace *w)
     for (int i = 0, changed = 1; i < most; i++) {
         take_back(w);
         int status = accelerate(w);
-        if (status == PM_SINGULAR && let_one_go(w)) return settled(w, 1);
+        if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);
         if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;
         if (!singular) {

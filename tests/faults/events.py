@@ -127,6 +127,12 @@ FAULTS = [
         "resolved ? -pm_chebyshev_value(",
     ),
     Fault(
+        "missed root: leaves a held zero the wrong way and comes back",
+        "events/event_bracket.c",
+        "!(of->g[k] < 0) && !dips_at_once(w, f, of, k, x) &&",
+        "!(of->g[k] < 0) &&",
+    ),
+    Fault(
         "missed root: comes back to a held zero at once",
         "events/event_bracket.c",
         "return now || crosses(f, g, gb)",

@@ -158,6 +158,10 @@ def test_a_number_is_always_the_same_throw() -> None:
         (3022, ""),  # a corner as near to the end of an edge as counts as touching: no decision of the errors
         (508119, ""),  # a corner that goes over the end of an edge fired there again and again
         (102250, ""),  # what turns at once on a path has no way that energies show
+        (501150, ""),  # a corner on the end of an edge slides over it, and comes back before a step ends
+        (508695, ""),
+        (504979, ""),  # of slips that hang on each other one is below rounding until another has ended
+        (501531, ""),
     ],
 )
 def test_throws_that_failed_once(number: int, route: str) -> None:
@@ -186,6 +190,8 @@ def test_boxes_in_gutters_that_failed_once(number: int) -> None:
         (500179, False, True),  # feet held as they clatter, whose friction drove them
         (509146, True, False),  # dominoes that lock ever more nearly
         (509492, True, False),
+        (700202, True, False),  # others hold two contacts for an instant alone
+        (700202, True, True),  # a corner on the end of an edge
     ],
 )
 def test_throws_that_the_order_or_the_mirror_decided(number: int, mirrored: bool, turned: bool) -> None:
