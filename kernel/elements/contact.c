@@ -35,18 +35,6 @@ int pm_contact_is_pattern(const pm_model *m, int contact)
     return PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND] == PM_CONTACT_PATTERN;
 }
 
-int pm_contact_slots(const pm_model *m, int contact)
-{
-    return pm_contact_is_pattern(m, contact) || pm_contact_curve_is(m, contact) ? PM_PATTERN_SLOTS : 1;
-}
-
-int pm_contact_of_slot(const pm_model *m, int slot)
-{
-    int contact = 0;
-    while (contact + 1 < m->rows[PM_TABLE_CONTACT] && m->contact_slot[contact + 1] <= slot) contact++;
-    return contact;
-}
-
 int pm_contact_free_slot(const pm_frame *frame, const pm_state *s, int contact)
 {
     const int first = frame->model->contact_slot[contact];
@@ -227,7 +215,7 @@ typedef struct pm_closed {
     int32_t member[PM_PATTERN_SLOTS];
 } pm_closed;
 
-static pm_closed closed_of(const pm_frame *frame, const pm_state *s, int contact)
+static inline pm_closed closed_of(const pm_frame *frame, const pm_state *s, int contact)
 {
     const pm_slot *slot = s->slot + frame->model->contact_slot[contact];
     pm_closed x = {.n = 0};
@@ -236,7 +224,7 @@ static pm_closed closed_of(const pm_frame *frame, const pm_state *s, int contact
     return x;
 }
 
-static int is_among(const pm_closed *x, int member)
+static inline int is_among(const pm_closed *x, int member)
 {
     for (int i = 0; i < x->n; i++)
         if (x->member[i] == member) return 1;
@@ -244,7 +232,7 @@ static int is_among(const pm_closed *x, int member)
 }
 
 /* Goes from member k on, step by step, past those that are closed. */
-static int next_open(const pm_closed *x, int k, int step, int first, int last)
+static inline int next_open(const pm_closed *x, int k, int step, int first, int last)
 {
     while (k >= first && k <= last && is_among(x, k)) k += step;
     return k;
@@ -261,7 +249,8 @@ static int below_of(double place)
 static double place_beside(const pm_beside *x) { return pm_dot(x->d, x->step) / pm_dot(x->step, x->step); }
 
 /* The last of the members that are not above a place, of those that there are; one less than the first where there is none. */
-static int below_of_place(const pm_frame *frame, int contact, const pm_beside *x, int *first, int *last)
+static inline int below_of_place(const pm_frame *frame, int contact, const pm_beside *x, int *first,
+                                 int *last)
 {
     const int32_t *pattern =
         PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
@@ -274,7 +263,8 @@ static int below_of_place(const pm_frame *frame, int contact, const pm_beside *x
 }
 
 /* Open members from `below` down and from there up, in turn. */
-static int members_about(const pm_closed *closed, int below, int first, int last, int most, int *member)
+static inline int members_about(const pm_closed *closed, int below, int first, int last, int most,
+                                int *member)
 {
     int down = below, up = below + 1, n = 0;
     while (n + 1 < most) {

@@ -42,9 +42,12 @@ double pm_contact_member_gap(const pm_frame *frame, int contact, int member, dou
 /* Rate of slip of one member at the frame. */
 double pm_contact_member_slip(const pm_frame *frame, int contact, int member);
 
-int pm_contact_slots(const pm_model *m, int contact);
+static inline int pm_contact_slots(const pm_model *m, int contact)
+{
+    return m->contact_slot[contact + 1] - m->contact_slot[contact];
+}
 /* The contact that a slot belongs to. */
-int pm_contact_of_slot(const pm_model *m, int slot);
+static inline int pm_contact_of_slot(const pm_model *m, int slot) { return m->contact_of_slot[slot]; }
 /* A free slot, or PM_NONE. */
 int pm_contact_free_slot(const pm_frame *frame, const pm_state *s, int contact);
 

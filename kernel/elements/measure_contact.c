@@ -21,7 +21,7 @@ static int counts(const pm_measure_args *x, int slot)
 /* The first slot that counts, from `slot` on; PM_NONE if there is none. */
 static int slot_from(const pm_measure_args *x, int slot)
 {
-    const int end = x->w->model->contact_slot[x->a] + pm_contact_slots(x->w->model, x->a);
+    const int end = x->w->model->contact_slot[x->a + 1];
     while (slot < end && !counts(x, slot)) slot++;
     return slot < end ? slot : PM_NONE;
 }

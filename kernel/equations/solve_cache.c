@@ -32,12 +32,10 @@ int pm_solve_cache_create(pm_workspace *w)
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
-/* No angle is that of the case before: its sine might have the other sign of zero. */
-void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache)
+void pm_solve_cache_forget(pm_solve_cache *cache)
 {
     cache->known = 0;
     cache->built = PM_NONE;
-    for (int i = 0; i < frame->model->nbody; i++) frame->angle[3 * i] = NAN;
 }
 
 /* Nothing but the configuration, the velocities and the constraints makes the accelerations. */

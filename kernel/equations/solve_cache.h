@@ -21,7 +21,7 @@ typedef struct pm_solve_cache {
 
 int pm_solve_cache_create(pm_workspace *w);
 /* Another case begins. */
-void pm_solve_cache_forget(pm_frame *frame, pm_solve_cache *cache);
+void pm_solve_cache_forget(pm_solve_cache *cache);
 
 /* Makes the frame DYNAMIC where it looks at what it looked at when pm_solve_cache_keep was called last; 0 if it does not. */
 int pm_solve_cache_take(pm_workspace *w);

@@ -117,11 +117,11 @@ static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
     return 1;
 }
 
-static void put_in_order(const pm_event_set *e, int near, pm_blow_order *x)
+/* Whether there are so many; they are put in order as far as that. */
+static int has_blows(const pm_event_set *e, int near, pm_blow_order *x, int n)
 {
-    x->n = 0;
-    memset(e->ordered, 0, (size_t)near * sizeof *e->ordered);
-    while (x->n < PM_SERIES_BLOWS && append_latest(e, near, x)) continue;
+    while (x->n < n && append_latest(e, near, x)) continue;
+    return x->n == n;
 }
 
 static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
@@ -134,10 +134,9 @@ static double may_be_off(const pm_workspace *w, double ratio)
     return fmin(earlier * PM_SERIES_SETTLED, PM_SERIES_NEARLY) * ratio * (1 - ratio);
 }
 
-/* The ratio of the last cycle of k blows to the one before, if each flight has it and the order is the same; 0 if not. */
+/* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
 static double ratio_of_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
 {
-    if (x->n < 2 * k + 2) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
     if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED)) return 0;
     const double share = may_be_off(w, ratio);
@@ -219,9 +218,10 @@ static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
     pm_blow_order x;
     double ratio = 0;
-    put_in_order(w->event, near, &x);
-    int k = 0;
-    while (ratio == 0 && 2 * ++k + 2 <= x.n) ratio = ratio_of_cycles(w, &x, k);
+    int k = x.n = 0;
+    memset(w->event->ordered, 0, (size_t)near * sizeof *w->event->ordered);
+    while (ratio == 0 && 2 * ++k + 2 <= PM_SERIES_BLOWS && has_blows(w->event, near, &x, 2 * k + 2))
+        ratio = ratio_of_cycles(w, &x, k);
     if (ratio > 0) tell(w->event, near, &x, k, ratio);
     for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->beside_struck[i]].ratio = 0;
     w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);
@@ -231,7 +231,7 @@ void pm_bounce_series_strike(const pm_workspace *w, int contact)
 {
     pm_bounce_series *x = &w->event->series[contact];
     if (x->known > 0 && x->struck[0] == w->state.t) return;
-    for (int i = PM_SERIES_BLOWS - 1; i > 0; i--) x->struck[i] = x->struck[i - 1];
+    memmove(x->struck + 1, x->struck, (PM_SERIES_BLOWS - 1) * sizeof *x->struck);
     x->struck[0] = w->state.t;
     x->known += x->known < PM_SERIES_BLOWS;
     x->ends = 0;

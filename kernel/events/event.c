@@ -82,19 +82,20 @@ int pm_event_create(pm_workspace *w)
 static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int direction, int level,
                 double slack, double natural)
 {
-    const int owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER;
-    e->function[e->nfunction++] = (pm_event_function){.kind = kind,
-                                                      .index = index,
-                                                      .direction = direction,
-                                                      .level = level,
-                                                      .slack = slack,
-                                                      .owned = owned,
-                                                      .natural = natural,
-                                                      .near = INFINITY,
-                                                      .pattern = PM_NONE,
-                                                      .edge = PM_NONE};
-    if (!owned) e->nsampled++;
-    if (level > e->level && !owned) e->level = level;
+    pm_event_function *f = &e->function[e->nfunction++];
+    memset(f, 0, sizeof *f);
+    f->kind = kind;
+    f->index = index;
+    f->direction = direction;
+    f->level = level;
+    f->slack = slack;
+    f->owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER;
+    f->natural = natural;
+    f->near = INFINITY;
+    f->pattern = f->edge = PM_NONE;
+    if (f->owned) return;
+    e->nsampled++;
+    if (level > e->level) e->level = level;
 }
 
 /* A trigger on time alone needs no watching where the route steps in time: the step ends when it is due. */
@@ -143,10 +144,10 @@ static void add_gap(pm_workspace *w, int contact)
     if (open_edge && !f->owned) f->edge = e->nedge++;
 }
 
-static void add_contacts(pm_workspace *w)
+static void add_contacts(pm_workspace *w, double size)
 {
     const pm_model *m = w->model;
-    const double size = pm_case_force(w->model, &w->numbers), force = PM_FORCE_SLACK * size;
+    const double force = PM_FORCE_SLACK * size;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
         if (pm_state_is_absent(m, &w->state, PM_TABLE_CONTACT, i))
             continue;
@@ -175,9 +176,9 @@ static void add_contacts(pm_workspace *w)
     }
 }
 
-static void add_joint_friction(pm_workspace *w)
+static void add_joint_friction(pm_workspace *w, double size)
 {
-    const double size = pm_case_force(w->model, &w->numbers), force = PM_FORCE_SLACK * size;
+    const double force = PM_FORCE_SLACK * size;
     for (int i = 0; i < w->model->nfriction; i++) {
         if (w->state.friction[i] == PM_STICK)
             add(&w->phase, w->event, FUNCTION_JOINT_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
@@ -187,9 +188,8 @@ static void add_joint_friction(pm_workspace *w)
     }
 }
 
-static void add_teeth(pm_workspace *w)
+static void add_teeth(pm_workspace *w, double size)
 {
-    const double size = pm_case_force(w->model, &w->numbers);
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
         if (pm_teeth_mesh(w->model, &w->state, i))
             add(&w->phase, w->event, FUNCTION_FLANK, i, -1, PM_LEVEL_DYNAMIC, PM_FORCE_SLACK * size, size);
@@ -304,9 +304,9 @@ static int leaves(const pm_frame *frame, const pm_state *state, int contact)
 static void leave_from(pm_workspace *w, pm_event_function *f)
 {
     f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
+    if (f->pattern != PM_NONE) return;
     const double value = pm_event_value(w, f);
-    if (value < -f->slack && value >= -pm_contact_length(&w->frame) && f->pattern == PM_NONE)
-        f->sunk = -value;
+    if (value < -f->slack && value >= -pm_contact_length(&w->frame)) f->sunk = -value;
 }
 
 void pm_event_begin(pm_workspace *w)
@@ -316,9 +316,10 @@ void pm_event_begin(pm_workspace *w)
     e->level = PM_LEVEL_KINEMATIC;
     add_triggers(w);
     e->ntrigger = e->nfunction;
-    add_contacts(w);
-    add_joint_friction(w);
-    if (w->model->nteeth > 0) add_teeth(w);
+    const double force = pm_case_force(w->model, &w->numbers);
+    add_contacts(w, force);
+    add_joint_friction(w, force);
+    if (w->model->nteeth > 0) add_teeth(w, force);
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++)
         if (pm_track_ends(w, i))
             add(&w->phase, w->event, FUNCTION_TRACK, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),

@@ -124,13 +124,15 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
 {
     const double s = g[k] > 0 ? 1 : -1, a = s * g[k], b = s * g[k + 1], h = x[1] - x[0];
     if (!(a > 0 && b > 0)) return 0;
-    const double p = s * slope_towards(w, f, g, k, x[0], x[1]) * h;
-    if (!(p < 0)) return 0;
-    const double q = s * slope_towards(w, f, g, k + 1, x[1], x[0]) * h;
-    if (!(q > 0)) return 0;
+    double slope[2];
+    for (int i = 0; i < 2; i++) { /* the values show one of them: first the other */
+        const int at = b < a ? 1 - i : i;
+        slope[at] = s * slope_towards(w, f, g, k + at, x[at], x[1 - at]) * h;
+        if (!(at ? slope[at] > 0 : slope[at] < 0)) return 0;
+    }
     const double close = (hides_slopes(w, f) ? PM_DIP_HIDDEN : PM_DIP_CLOSE) * fmin(a, b);
     double t;
-    if (!(bottom_of_cubic(a, b, p, q, &t) <= close)) return 0;
+    if (!(bottom_of_cubic(a, b, slope[0], slope[1], &t) <= close)) return 0;
     *where = x[0] + t * h;
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }

@@ -139,7 +139,7 @@ int pm_time_course_switch(pm_workspace *w)
     const double next = w->step.course->next;
     if (!(w->state.t >= next - PM_TIME_TOGETHER * fabs(next))) return 0;
     find_next(w, w->step.course->after);
-    pm_solve_cache_forget(&w->frame, w->cache);
+    pm_solve_cache_forget(w->cache);
     return 1;
 }
 

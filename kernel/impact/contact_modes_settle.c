@@ -145,9 +145,8 @@ static int reverse_slip(pm_workspace *w)
  * other way.  How many do. */
 static int let_driven_go(pm_workspace *w)
 {
-    const double least = PM_PULLS * pm_case_acceleration(&w->numbers);
     int n = 0;
-    for (int i = 0; i < w->model->nslot; i++) {
+    for (int i = 0; w->active.nredundant > 0 && i < w->model->nslot; i++) {
         pm_slot *s = &w->state.slot[i];
         const int contact = pm_contact_of_slot(w->model, i);
         if (s->mode != PM_STICK || w->active.slot_tangent[i] >= PM_NONE ||
@@ -156,7 +155,7 @@ static int let_driven_go(pm_workspace *w)
         pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, i);
         pm_constraint_kind(slip.kind)->evaluate(&w->frame, &slip);
         const double rate = pm_constraint_times(&w->frame, &slip, w->frame.a) - slip.gamma;
-        if (!(fabs(rate) > least)) continue;
+        if (!(fabs(rate) > PM_PULLS * pm_case_acceleration(&w->numbers))) continue;
         s->mode = rate > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
         n++;
     }

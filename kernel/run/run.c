@@ -50,7 +50,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->result.where = w->result.ordered = nowhere;
     w->impulses.energy_lost = 0;
     w->state.t = 0; /* a case that fails before its start reports no time of another */
-    pm_solve_cache_forget(&w->frame, w->cache);
+    pm_solve_cache_forget(w->cache);
     pm_saddle_forget(&w->saddle);
     w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
     w->phase.stiff = PM_NOT_STIFF;

@@ -61,7 +61,6 @@ static int create_arrays(pm_workspace *w)
         PM_ARRAY(w->active.joint_order, m->rows[PM_TABLE_JOINT]),
         PM_ARRAY(w->frame.pose, 5 * (m->nbody + 1)),
         PM_ARRAY(w->frame.velocity, 3 * (m->nbody + 1)),
-        PM_ARRAY(w->frame.angle, 3 * m->nbody),
         PM_ARRAY(w->frame.f, nq),
         PM_ARRAY(w->frame.power, nforce),
         PM_ARRAY(w->frame.a, nq),
@@ -121,6 +120,7 @@ static int create_saddle(pm_workspace *w)
 static int create_rooms(pm_workspace *w)
 {
     int status = create_saddle(w);
+    if (!status) status = pm_frame_rotations_create(&w->frame, &w->memory);
     if (!status) status = pm_case_values_create(w);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->state);
     if (!status) status = pm_state_create(&w->memory, w->model, &w->start);

@@ -38,10 +38,11 @@ static void lay_out(pm_model *m)
         const int slots = several ? PM_PATTERN_SLOTS : 1;
         m->nedge += e[PM_CONTACT_KIND] == PM_CONTACT_SEGMENT;
         m->contact_slot[i] = m->nslot;
-        m->nslot += slots;
+        for (int k = 0; k < slots; k++) m->contact_of_slot[m->nslot++] = i;
         m->contact_kept[i] = e[PM_CONTACT_CAPTURE] == PM_CAPTURE_NONE ? PM_NONE : m->nkept;
         if (e[PM_CONTACT_CAPTURE] != PM_CAPTURE_NONE) m->nkept += slots;
     }
+    m->contact_slot[m->rows[PM_TABLE_CONTACT]] = m->nslot;
     m->friction_memory = m->nmemory;
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         if (PM_FORCE_ROW(m, i)[PM_FORCE_KIND] == PM_FORCE_FRICTION) m->friction_force[m->nfriction++] = i;
@@ -139,11 +140,17 @@ static int create_arrays(pm_model *m)
               nforce = m->rows[PM_TABLE_FORCE], nmeasure = m->rows[PM_TABLE_MEASURE],
               nprogram = m->rows[PM_TABLE_PROGRAM];
     const pm_array array[] = {
-        PM_ARRAY(m->contact_slot, ncontact),    PM_ARRAY(m->contact_kept, ncontact),
-        PM_ARRAY(m->joint_constraint, njoint),  PM_ARRAY(m->joint_memory, njoint),
-        PM_ARRAY(m->force_z, nforce),           PM_ARRAY(m->friction_force, nforce),
-        PM_ARRAY(m->path_z, nmeasure),          PM_ARRAY(m->path, nmeasure),
-        PM_ARRAY(m->programs.level, nprogram),  PM_ARRAY(m->programs.class, nprogram),
+        PM_ARRAY(m->contact_slot, ncontact + 1),
+        PM_ARRAY(m->contact_of_slot, PM_PATTERN_SLOTS * ncontact),
+        PM_ARRAY(m->contact_kept, ncontact),
+        PM_ARRAY(m->joint_constraint, njoint),
+        PM_ARRAY(m->joint_memory, njoint),
+        PM_ARRAY(m->force_z, nforce),
+        PM_ARRAY(m->friction_force, nforce),
+        PM_ARRAY(m->path_z, nmeasure),
+        PM_ARRAY(m->path, nmeasure),
+        PM_ARRAY(m->programs.level, nprogram),
+        PM_ARRAY(m->programs.class, nprogram),
         PM_ARRAY(m->programs.energy, nprogram),
     };
     const int status = pm_arena_take(&m->memory, PM_ARRAYS(array));

@@ -106,7 +106,7 @@ static void thin_out(pm_evidence_log *log)
     int n = 0;
     log->stride *= 2;
     for (int i = 0; i < log->n; i++)
-        if (log->entry[i].instant % log->stride == 0) log->entry[n++] = log->entry[i];
+        if (pm_evidence_is_kept(log->entry[i].instant, log->stride)) log->entry[n++] = log->entry[i];
     log->n = n;
 }
 
@@ -128,11 +128,11 @@ void pm_evidence_free_log(void *log) { free(((pm_evidence_log *)log)->entry); }
 void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decision)
 {
     pm_evidence_log *log = &evidence->present->log;
-    while (log->instant % log->stride == 0 && !has_room(log)) {
+    while (pm_evidence_is_kept(log->instant, log->stride) && !has_room(log)) {
         if (log->stride > log->instant) return;
         thin_out(log);
     }
-    if (log->instant % log->stride != 0) return;
+    if (!pm_evidence_is_kept(log->instant, log->stride)) return;
     log->entry[log->n] = *decision;
     log->entry[log->n].instant = log->instant;
     log->entry[log->n++].history = log->history;

@@ -50,12 +50,17 @@ typedef struct pm_evidence_decision {
 typedef struct pm_evidence_log {
     pm_evidence_decision *entry; /* [room], the first n in use; its own, grows to PM_DECISIONS */
     int n, room;
-    int32_t instant, stride; /* every stride-th instant is kept, lest they be more */
+    int32_t instant, stride; /* every stride-th instant is kept, lest they be more: a power of two */
     uint32_t history;
 } pm_evidence_log;
 
 #define PM_DECISIONS 4096   /* kept of a pass */
 #define PM_DECISIONS_FEW 32 /* there is room for so many first: most scenes have fewer */
+
+static inline int pm_evidence_is_kept(int32_t instant, int32_t stride)
+{
+    return (instant & (stride - 1)) == 0;
+}
 
 /* One pass of a case and what came of it. */
 typedef struct pm_pass {

@@ -9,16 +9,21 @@
 
 #include "numerics/lanes.h"
 
-/* Cosine and sine of an angle: it is often the one of the last look. */
-static void look_up_angle(double angle[3], double *pose)
+int pm_frame_rotations_create(pm_frame *frame, pm_arena *memory)
 {
-    if (angle[0] != pose[2]) {
-        angle[0] = pose[2];
-        angle[1] = cos(pose[2]);
-        angle[2] = sin(pose[2]);
-    }
-    pose[3] = angle[1];
-    pose[4] = angle[2];
+    int bits = 1; /* zeros of different signs are kept in different halves */
+    while (1 << bits < PM_ROTATIONS_OF_BODY * frame->model->nbody) bits++;
+    const pm_array array[] = {PM_ARRAY(frame->rotation, 1 << bits)};
+    const int status = pm_arena_take(memory, PM_ARRAYS(array));
+    frame->rotation_shift = 64 - bits;
+    for (int i = 0; !status && i < 1 << bits; i++) frame->rotation[i].angle = NAN;
+    return status;
+}
+
+const pm_rotation *pm_frame_rotation_found(pm_rotation *x, double angle)
+{
+    *x = (pm_rotation){angle, cos(angle), sin(angle)};
+    return x;
 }
 
 void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, const double *z,
@@ -37,7 +42,9 @@ void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, 
         double *pose = f->pose + 5 * i;
         if (fixed[i]) continue; /* as it was looked at when it was found to be fixed */
         pm_lanes_copy_threes(pose, q + 3 * i, 1);
-        look_up_angle(f->angle + 3 * i, pose);
+        const pm_rotation *x = pm_frame_rotation(frame, pose[2]);
+        pose[3] = x->cosine;
+        pose[4] = x->sine;
         pm_lanes_copy_threes(f->velocity + 3 * i, v + 3 * i, 1);
     }
     f->pose[5 * n + 3] = 1; /* the ground: all else stays 0 */

@@ -2,7 +2,10 @@
 #ifndef PM_FRAME_H
 #define PM_FRAME_H
 
+#include <string.h>
+
 #include "numerics/lanes.h"
+#include "state/arena.h"
 #include "state/numbers.h"
 #include "state/state.h"
 
@@ -10,6 +13,12 @@
 typedef struct pm_side {
     double from, to; /* s */
 } pm_side;
+
+/* An angle, its cosine and its sine. */
+typedef struct pm_rotation {
+    double angle, cosine, sine;
+} pm_rotation;
+enum { PM_ROTATIONS_OF_BODY = 16 }; /* for each body at least so many are kept */
 
 /* A state looked at: positions of marks, forces, accelerations, reactions; filled as far as `level` says. */
 typedef struct pm_frame {
@@ -20,9 +29,10 @@ typedef struct pm_frame {
     const double *q, *v, *z;
     const pm_memory *memory;
     int level;
-    double *pose;           /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
-    double *velocity;       /* [nbody + 1][3]; last: zero */
-    double *angle;          /* [nbody][3] an angle of the case, its cosine and its sine (pm_frame_look) */
+    double *pose;          /* [nbody + 1][5]: x, y, angle, cos, sin; last: the ground */
+    double *velocity;      /* [nbody + 1][3]; last: zero */
+    pm_rotation *rotation; /* [2^(64 - shift)] angles that were looked at last (pm_frame_rotation) */
+    int rotation_shift;
     double *f;              /* [nq] applied forces */
     double *power;          /* [nforce] of forces without potential */
     double *a;              /* [nq] accelerations */
@@ -41,6 +51,18 @@ typedef struct pm_point {
     int body; /* nbody: the ground */
     double r[2], p[2], v[2];
 } pm_point;
+
+/* Cosine and sine: the same angles are asked for again and again, around an event and where bodies rotate together. */
+const pm_rotation *pm_frame_rotation_found(pm_rotation *x, double angle);
+static inline const pm_rotation *pm_frame_rotation(const pm_frame *frame, double angle)
+{
+    uint64_t bits;
+    memcpy(&bits, &angle, sizeof bits);
+    pm_rotation *x = frame->rotation + (bits * 0x9E3779B97F4A7C15u >> frame->rotation_shift);
+    return x->angle == angle ? x : pm_frame_rotation_found(x, angle);
+}
+/* Their memory. */
+int pm_frame_rotations_create(pm_frame *frame, pm_arena *memory);
 
 /* Looks at (t, q, v, z): poses and velocities of all bodies; level KINEMATIC. */
 void pm_frame_look(pm_frame *frame, double t, const double *q, const double *v, const double *z,

@@ -62,7 +62,8 @@ typedef struct pm_model {
     int nz_controlled;        /* of these the first are under error control */
     int spin_z, spin_angle_z; /* running integrals of the spin's momentum and rate, or PM_NONE */
     int acts;                 /* some event does something, or not whenever its triggers fire */
-    int *contact_slot;        /* [ncontact] first slot */
+    int *contact_slot;        /* [ncontact + 1] first slot; last: nslot */
+    int *contact_of_slot;     /* [nslot] */
     int *contact_kept;        /* [ncontact] first kept place, or PM_NONE */
     int *joint_constraint;    /* [njoint] first constraint among those of the joints */
     int *joint_memory;        /* [njoint] first, or PM_NONE */

@@ -85,9 +85,13 @@ static int next_part(const pm_evidence_log *log, int i)
     return i;
 }
 
-static pm_closest closer(pm_closest x, const pm_evidence_decision *decision, double margin)
+/* That of entry i of a and entry j of b, if it is less than x and of one instant. */
+static pm_closest closer(pm_closest x, const pm_evidence_log *a, int i, const pm_evidence_log *b, int j,
+                         const double *trigger_scale)
 {
-    return margin < x.margin ? (pm_closest){margin, decision, PM_NONE} : x;
+    const double margin = margin_of(&a->entry[i], &b->entry[j], trigger_scale);
+    if (!(margin < x.margin) || are_other_instants(a, i, b, j)) return x;
+    return (pm_closest){margin, &a->entry[i], PM_NONE};
 }
 
 pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale)
@@ -96,18 +100,16 @@ pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b,
     pm_closest closest = {INFINITY, NULL, PM_NONE};
     for (int i = 0, j = 0; i < a->n && j < b->n;) {
         const pm_evidence_decision *x = &a->entry[i], *y = &b->entry[j];
-        if (x->instant % stride != 0) {
+        if (!pm_evidence_is_kept(x->instant, stride)) {
             i++;
-        } else if (y->instant % stride != 0) {
+        } else if (!pm_evidence_is_kept(y->instant, stride)) {
             j++;
         } else if (pm_evidence_part_of(x) < pm_evidence_part_of(y)) {
             i++;
         } else if (pm_evidence_part_of(x) > pm_evidence_part_of(y)) {
             j++;
         } else if (same(x, y)) {
-            if (!are_other_instants(a, i, b, j)) closest = closer(closest, x, margin_of(x, y, trigger_scale));
-            i++;
-            j++;
+            closest = closer(closest, a, i++, b, j++, trigger_scale);
         } else if (may_lack(x) && (!may_lack(y) || comes_first(x, y))) {
             i++;
         } else if (may_lack(y)) {

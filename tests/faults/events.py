@@ -18,7 +18,7 @@ FAULTS = [
     Fault(
         "teeth: their flanks change at no event",
         "events/event.c",
-        "if (w->model->nteeth > 0) add_teeth(w);",
+        "if (w->model->nteeth > 0) add_teeth(w, force);",
         "",
     ),
     Fault(
@@ -251,8 +251,8 @@ FAULTS = [
     Fault(
         "series: the order of its blows is not looked at",
         "events/bounce_series.c",
-        "while (ratio == 0 && 2 * ++k + 2 <= x.n)",
-        "while (ratio == 0 && 2 * ++k + 2 <= x.n && k < 2)",
+        "2 * ++k + 2 <= PM_SERIES_BLOWS &&",
+        "2 * ++k + 2 <= 4 &&",
     ),
     Fault(
         "series: a coarse run ends it where the main one does",

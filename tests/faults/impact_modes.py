@@ -30,7 +30,7 @@ FAULTS = [
     Fault(
         "settle: a slip that drives give sticks where it turns back",
         "impact/contact_modes_settle.c",
-        "if (!(fabs(rate) > least)) continue;",
+        "if (!(fabs(rate) > PM_PULLS * pm_case_acceleration(&w->numbers))) continue;",
         "if (fabs(rate) >= 0) continue;",
     ),
     Fault(

@@ -13,6 +13,12 @@ FAULTS = [
         "if (0) return",
     ),
     Fault(
+        "frame: the sine of another angle that was looked at",
+        "state/frame.h",
+        "return x->angle == angle ? x :",
+        "return x->angle < 10 ? x :",
+    ),
+    Fault(
         "massless: it has the energy of its stand-in",
         "state/frame.c",
         "frame->numbers->stand_in[3 * i + 2] > 0 ? 0",

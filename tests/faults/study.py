@@ -33,8 +33,8 @@ FAULTS = [
     Fault(
         "margin: passes are always at the same instant",
         "study/margin.c",
-        "if (!are_other_instants(a, i, b, j))",
-        "(void)are_other_instants;\n            if (1)",
+        "if (!(margin < x.margin) || are_other_instants(a, i, b, j)) return x;",
+        "(void)are_other_instants;\n    if (!(margin < x.margin)) return x;",
     ),
     Fault(
         "margin: a gap beside touching is compared as it is",

@@ -26,7 +26,7 @@ static scene *rods(int force)
 /* Accelerations and reactions as they are without any memory. */
 static void recompute(pm_workspace *w, double *a, double *lambda)
 {
-    pm_solve_cache_forget(&w->frame, w->cache);
+    pm_solve_cache_forget(w->cache);
     pm_frame_look_state(&w->frame, &w->state);
     EQUAL(pm_saddle_accelerate(w), PM_OK);
     memcpy(a, w->frame.a, (size_t)w->model->nq * sizeof *a);
@@ -78,7 +78,7 @@ static void not_for_another(pm_workspace *w)
 /* A set of rows is not built once more where nothing has changed, and else it is. */
 static void sets_of_rows(pm_workspace *w)
 {
-    pm_solve_cache_forget(&w->frame, w->cache);
+    pm_solve_cache_forget(w->cache);
     EQUAL(pm_solve_cache_is_built(w), 0);
     EQUAL(pm_active_set_build(w), PM_OK);
     EQUAL(pm_solve_cache_is_built(w), 1);
@@ -119,10 +119,23 @@ static void factors_of_rows(pm_workspace *w)
     w->active.n++;
 }
 
+/* Of more angles than are kept, each twice; zeros of both signs in turn. */
+static void rotations(const pm_frame *frame)
+{
+    for (int i = 0; i < 2000; i++) {
+        const double angle = i % 2 ? 0.01 * (i % 1000) - 5 : i % 4 ? -0.0 : 0.0;
+        const pm_rotation *x = pm_frame_rotation(frame, angle);
+        EQUAL(x->cosine, cos(angle));
+        EQUAL(x->sine, sin(angle));
+        EQUAL(signbit(x->sine), signbit(sin(angle)));
+    }
+}
+
 int main(void)
 {
     scene *s = rods(0);
     if (CHECK(scene_begin(s) == PM_OK)) {
+        rotations(&s->w->frame);
         as_if_solved(s->w);
         not_for_another(s->w);
         sets_of_rows(s->w);

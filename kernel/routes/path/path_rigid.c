@@ -215,11 +215,17 @@ static void leave_fixed(const pm_workspace *w, const pm_place *place)
     }
 }
 
+static pm_lanes rotation_by(const pm_frame *frame, double angle)
+{
+    const pm_rotation *x = pm_frame_rotation(frame, angle);
+    return (pm_lanes){x->cosine, x->sine};
+}
+
 void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place)
 {
     const pm_rigid *g = &w->path->rigid;
     const double angle = g->rotates ? u : g->angle, spin = g->rotates;
-    const pm_lanes rotation = g->rotates ? (pm_lanes){cos(u), sin(u)} : g->rotation;
+    const pm_lanes rotation = g->rotates ? rotation_by(&w->frame, u) : g->rotation;
     pm_track track;
     pm_sums sum = {.inertia = 0};
     go(&w->state, g, u, rotation, &track);
