@@ -47,9 +47,9 @@ static int create(pm_workspace *w)
 #define OF_EACH_PASS(array, count) \
     PM_ARRAY(p[0].array, count), PM_ARRAY(p[1].array, count), PM_ARRAY(p[2].array, count)
     const pm_array array[] = {
-        OF_EACH_PASS(out, m->nout),          OF_EACH_PASS(error, m->nout),     OF_EACH_PASS(more, m->nout),
-        OF_EACH_PASS(end, 2 * m->nq), OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask),    PM_ARRAY(e->kept, m->nout),
-        PM_ARRAY(e->discrete, m->nask),      PM_ARRAY(e->neighbours, m->nout),
+        OF_EACH_PASS(out, m->nout),   OF_EACH_PASS(error, m->nout),        OF_EACH_PASS(more, m->nout),
+        OF_EACH_PASS(end, 2 * m->nq), OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask),
+        PM_ARRAY(e->kept, m->nout),   PM_ARRAY(e->discrete, m->nask),      PM_ARRAY(e->neighbours, m->nout),
     };
 #undef OF_EACH_PASS
     if (pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_natural_size_create(w, &e->size) || create_logs(w))

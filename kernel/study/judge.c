@@ -16,8 +16,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "events/ask.h"
 #include "equations/case.h"
+#include "events/ask.h"
 #include "expression/program_class.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -67,8 +67,8 @@ static int is_of_end(const pm_workspace *w, int ask)
     return row[PM_ASK_KIND] == PM_ASK_END && isnan(w->accuracy->main->error[row[PM_ASK_OUT]]);
 }
 
-/* The state at the end errs mostly along its motion, as if it were late.  An answer of the end that two runs tell alike by chance
- * is known no better than a part of what it changes by in that time. */
+/* The state at a time errs mostly along its motion, as if it were late.  An answer of the end that two runs tell alike by chance
+ * is known no better than a part of what it changes by in that time.  (An event ends runs by the state, whenever that is.) */
 static void find_late(pm_workspace *w, double share)
 {
     pm_accuracy *e = w->accuracy;
@@ -76,7 +76,7 @@ static void find_late(pm_workspace *w, double share)
     int ask = 0;
     e->late = 0;
     while (ask < nask && !is_of_end(w, ask)) ask++;
-    if (ask == nask || w->evidence.seeks || e->main->outcome != e->other->outcome) return;
+    if (ask == nask || w->evidence.seeks || e->main->t != e->other->t) return;
     e->late = share * pm_case_apart(&w->numbers, w->model->nq, e->main->end, e->other->end) *
               w->numbers.size / w->numbers.speed;
     pm_natural_size_find_rates(w, &e->size, e->neighbours);

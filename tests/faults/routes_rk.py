@@ -84,4 +84,16 @@ FAULTS = [
         "r->ledger = r->next_ledger;",
         "r->ledger = samples_ledger(&w->result, w->rk);",
     ),
+    Fault(
+        "coarse run: takes the steps of the main one where that has few",
+        "routes/rk/route_rk.c",
+        "if (w->numbers.coarse > 1) h = coarse_step",
+        "if (0) h = coarse_step",
+    ),
+    Fault(
+        "coarse run: few steps are made longer, as many are",
+        "routes/rk/route_rk.c",
+        "if (w->evidence.few) return",
+        "if (0) return",
+    ),
 ]

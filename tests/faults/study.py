@@ -55,6 +55,12 @@ FAULTS = [
         "",
     ),
     Fault(
+        "error: what two runs tell alike by chance is believed",
+        "study/judge.c",
+        "PM_ACCURACY_OF_MOTION * e->late",
+        "0 * e->late",
+    ),
+    Fault(
         "error: zero is known exactly, whatever cancels in it",
         "study/judge.c",
         "PM_ACCURACY_OF_TERMS * terms",
