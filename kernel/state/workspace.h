@@ -170,11 +170,10 @@ typedef struct pm_evidence {
     const unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
     uint64_t noise;                /* state of the generator of disturbances */
     int calm;                      /* the steps of a coarse run are not disturbed, only its phases */
-    int few;           /* a coarse run of a main one of few steps, which takes more of them (route_rk.c) */
-    int pattern;       /* by which what is read is shifted (study/natural_size.c) */
-    double late;       /* of the main pass, in its coarse run: that of pm_pass */
-    double most_steps; /* of a pass: what takes longer does not pay */
-    double loosest;    /* tolerance that is enough for the present run of a find; 0: that of the pass */
+    int pattern;                   /* by which what is read is shifted (study/natural_size.c) */
+    double late;                   /* of the main pass, in its coarse run: that of pm_pass */
+    double most_steps;             /* of a pass: what takes longer does not pay */
+    double loosest; /* tolerance that is enough for the present run of a find; 0: that of the pass */
     struct pm_pass *present;
 } pm_evidence;
 

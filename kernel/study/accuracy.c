@@ -100,13 +100,13 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     e->npass++;
     p->factor = factor;
     p->coarse = coarse;
+    p->fine = coarse && e->main->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW;
     p->halves = e->npass > 1 && !(coarse ? e->main : e->last)->halves;
     if (!coarse) e->last = p;
     w->result.out = p->out;
     w->result.reason = p->reason;
     w->result.audit = p->audit;
     w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1;
-    w->evidence.few = coarse && e->main->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW;
     w->evidence.late = coarse ? e->main->late * PM_COARSER / w->phase.route->spread : 0;
     if (coarse) w->record.history = NULL, w->record.phases = NULL;
     if (w->record.history) pm_history_reset(w->record.history); /* the last pass is the one recorded */

@@ -93,7 +93,7 @@ FAULTS = [
     Fault(
         "coarse run: few steps are made longer, as many are",
         "routes/rk/route_rk.c",
-        "if (w->evidence.few) return",
+        "if (w->evidence.present->fine) return",
         "if (0) return",
     ),
 ]

@@ -237,7 +237,7 @@ static int choose_again(pm_workspace *w)
 static double coarse_step(const pm_workspace *w, double h, int begins, double whole)
 {
     const double most = begins ? 0.5 * whole : INFINITY;
-    if (w->evidence.few) return fmin(PM_RK_FINE * h, most);
+    if (w->evidence.present->fine) return fmin(PM_RK_FINE * h, most);
     return h >= w->numbers.coarse * whole ? fmin(h, most) : h;
 }
 
