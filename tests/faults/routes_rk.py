@@ -92,8 +92,8 @@ FAULTS = [
     ),
     Fault(
         "coarse run: few steps are made longer, as many are",
-        "routes/rk/route_rk.c",
-        "if (w->evidence.present->fine) return",
-        "if (0) return",
+        "study/accuracy.c",
+        "p->fine = coarse && ",
+        "p->fine = 0 && ",
     ),
 ]
