@@ -50,8 +50,9 @@ test: lint test-kernel test-python
 test-kernel: setup
 	$(BIN)/meson test -C build/python --print-errorlogs
 
+# A file's tests stay together: they share what their fixtures make.
 test-python: setup
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses auto --dist loadfile
 
 test-browser:
 	@.ci/setup --browser
