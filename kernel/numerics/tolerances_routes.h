@@ -75,7 +75,6 @@
 #define PM_RK_SIDESTEP 1.2 /* of a step: a little longer or shorter, its stages are elsewhere; more: loses length */
 #define PM_RK_SIDESTEPS 12 /* tries past a singular stage; more would only put off the shrinking */
 #define PM_RK_NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified below; more: side steps in vain */
-#define PM_RK_FINE 0.3 /* of a step of the coarse tolerance, where the main run has few: half of its own; more: differences that are small by chance */
 #define PM_RK_OVER 0.3 /* of the motion's own time: a first step that passes a singular position; more: less accurate */
 #define PM_RK_LEDGER_STEPS 16 /* steps from one that integrates the ledger to the next; more: a thinner audit */
 

@@ -86,7 +86,6 @@ typedef struct pm_pass {
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int coarse;
-    int fine; /* a coarse one that takes more steps than the main one, which takes few */
     int halves;
     pm_evidence_log log;
 } pm_pass;

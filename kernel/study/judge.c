@@ -145,8 +145,7 @@ static double judge_answers(const pm_workspace *w, double share, double *error)
 /* Of the difference of both passes: what the error of the main one is taken for. */
 static double share_of(const pm_phase *phase, const pm_accuracy *e)
 {
-    const double few = e->other->fine ? PM_ACCURACY_FEW_SPREAD : 1; /* errors of few steps are less regular */
-    const double share = few * phase->route->spread * e->main->tolerance / e->other->tolerance;
+    const double share = phase->route->spread * e->main->tolerance / e->other->tolerance;
     return e->other->coarse ? share : fmin(1, share); /* a looser main pass errs by all of it at the most */
 }
 

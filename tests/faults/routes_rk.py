@@ -85,15 +85,9 @@ FAULTS = [
         "r->ledger = samples_ledger(&w->result, w->rk);",
     ),
     Fault(
-        "coarse run: takes the steps of the main one where that has few",
+        "coarse run: takes the single step of the main one",
         "routes/rk/route_rk.c",
-        "if (w->numbers.coarse > 1) h = coarse_step",
+        "if (w->numbers.coarse > 1 && begins) h = coarse_step",
         "if (0) h = coarse_step",
-    ),
-    Fault(
-        "coarse run: few steps are made longer, as many are",
-        "study/accuracy.c",
-        "p->fine = coarse && ",
-        "p->fine = 0 && ",
     ),
 ]

@@ -126,11 +126,10 @@ static void set_times(pm_workspace *w, const double *k)
 
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be
  * exact, and not carry circles through each other between two samples.  Nor may one in which reactions turn
- * with the bodies: the ledger of impulses, which does not choose the steps, is their integral.  In a coarse run these limits
- * are longer, too: with the same steps it would have the same errors (accuracy.c). */
+ * with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
-    if (is_sampled(w->event, w->ask)) return fmin(w->numbers.coarse * w->rk->own, w->rk->meeting);
+    if (is_sampled(w->event, w->ask)) return fmin(w->rk->own, w->rk->meeting);
     return w->active.n > 0 ? w->rk->rotation_time : INFINITY;
 }
 
@@ -232,13 +231,10 @@ static int choose_again(pm_workspace *w)
     return pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
 }
 
-/* A coarse run would have the same error where the main one covers a phase in a single step, or by chance where that one takes few:
- * it takes more of them there, and the difference is the error of the main one. */
-static double coarse_step(const pm_workspace *w, double h, int begins, double whole)
+/* A coarse run takes in halves what the main one covers in a single step: it would have the same error. */
+static double coarse_step(const pm_workspace *w, double h, double whole)
 {
-    const double most = begins ? 0.5 * whole : INFINITY;
-    if (w->evidence.present->fine) return fmin(PM_RK_FINE * h, most);
-    return h >= w->numbers.coarse * whole ? fmin(h, most) : h;
+    return h >= w->numbers.coarse * whole ? 0.5 * whole : h;
 }
 
 static int step(pm_workspace *w, double t_limit)
@@ -253,7 +249,7 @@ static int step(pm_workspace *w, double t_limit)
     int status = first_stage(w);
     if (status) return status;
     double h = fmin(r->next, longest_step(w));
-    if (w->numbers.coarse > 1) h = coarse_step(w, h, begins, t_limit - r->t0);
+    if (w->numbers.coarse > 1 && begins) h = coarse_step(w, h, t_limit - r->t0);
     double first = h;
     for (int rejected = 0, sidesteps = 0;;) {
         /* what would be left may be too short for a step of its own */
