@@ -307,7 +307,7 @@ double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, cons
 {
     double rate = 0;
     for (int i = 0; i < model->nq; i++) {
-        const double length = i % 3 == 2 ? 1 : numbers->size;
+        const double length = pm_numbers_length(numbers, i);
         rate = pm_max(pm_max(fabs(v[i]) / length, sqrt(fabs(a[i]) / length)), rate);
     }
     return rate > 0 ? numbers->coarse / rate : INFINITY;
@@ -340,7 +340,7 @@ double pm_case_shift(const pm_workspace *w, pm_state *shifted)
     pm_state_copy(shifted, &w->state);
     for (int i = 0; i < w->model->nq; i++) {
         const double part = PM_SHIFT * (i % 2 ? -1 : 1) * (0.6 + 0.4 / (1 + i)),
-                     length = i % 3 == 2 ? 1 : n->size;
+                     length = pm_numbers_length(n, i);
         shifted->q[i] += part * length;
         shifted->v[i] += part * length * n->speed / n->size;
     }
@@ -353,7 +353,7 @@ double pm_case_apart(const pm_numbers *numbers, int nq, const double *a, const d
 {
     double apart = 0;
     for (int i = 0; i < nq; i++) {
-        const double length = i % 3 == 2 ? 1 : numbers->size;
+        const double length = pm_numbers_length(numbers, i);
         const double place = fabs(a[i] - b[i]), speed = fabs(a[nq + i] - b[nq + i]);
         apart = pm_max((place + speed * numbers->size / numbers->speed) / length, apart);
     }

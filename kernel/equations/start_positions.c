@@ -95,7 +95,7 @@ static double longest(const pm_model *model, const pm_numbers *numbers, const do
     *turn = 0;
     for (int i = 0; i < model->nq; i++) {
         double *largest = i % 3 == 2 ? turn : &move;
-        *largest = pm_max(fabs(x[i]) / (i % 3 == 2 ? 1 : numbers->size), *largest);
+        *largest = pm_max(fabs(x[i]) / pm_numbers_length(numbers, i), *largest);
     }
     return move;
 }

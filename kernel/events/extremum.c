@@ -188,9 +188,7 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
     const double wide = p->steep ? INFINITY : PM_EXTREMUM_WIDE;
     p->tail = INFINITY;
     p->met = 0;
-    const int spectral =
-        pm_chebyshev_nodes_spectral(nodes) && !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask));
-    if (spectral) {
+    if (p->spectral) {
         if (next_top(nodes, p, 0, wide) == nodes->n && !pm_extremum_hidden_possible(nodes, p)) return PM_OK;
         p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
         p->slope_error = PM_EXTREMUM_SLOPE_TAIL * nodes->n * p->tail * p->size;
@@ -202,7 +200,7 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         const int status = pm_extremum_branch_all(w, p, &taken);
         if (status || taken) return status;
     }
-    if (spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH)) {
+    if (p->spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH)) {
         int shown;
         const int status = extremes_of_samples(w, p, &shown);
         if (status || shown) return status;
@@ -232,8 +230,9 @@ int pm_extremum_take(pm_workspace *w, int ask)
     pm_extremum p = {.ask = ask,
                      .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1,
                      .last = w->step.nodes->n - 1,
-                     .law = pm_chebyshev_nodes_spectral(w->step.nodes) &&
-                            !pm_ask_at_extreme(PM_ASK_ROW(w->model, ask)) && pm_extremum_law_known(w, ask)};
+                     .spectral = pm_chebyshev_nodes_spectral(w->step.nodes) &&
+                                 !pm_ask_at_extreme(PM_ASK_ROW(w->model, ask))};
+    p.law = p.spectral && pm_extremum_law_known(w, ask);
     const int inside = nodes_inside(&w->step);
     double least = INFINITY;
     int top = 0, top_inside = 0;

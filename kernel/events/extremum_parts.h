@@ -26,6 +26,7 @@ typedef struct pm_extremum {
     double nothing; /* so much more is not looked for */
     double end;     /* of the step, as a fraction of what is sampled */
     double slope_error;
+    int spectral; /* the samples are at nodes of Chebyshev polynomials, and nothing is asked where another is extreme */
     int law;   /* what the program makes of its measures is known along the step (extremum_law.c) */
     int steep; /* one of its branches may rise above the best by more than the nodes differ by */
     pm_extremum_of_branch *branch; /* NULL: the program has no switches, or none changes */

@@ -38,4 +38,10 @@ typedef struct pm_numbers {
     double coarse; /* factor on steps and on what counts as nothing: 1, more in a coarse run */
 } pm_numbers;
 
+/* The natural size of coordinate i of all bodies, m or rad. */
+static inline double pm_numbers_length(const pm_numbers *numbers, int i)
+{
+    return i % 3 == 2 ? 1 : numbers->size;
+}
+
 #endif

@@ -44,7 +44,6 @@ static void clear(double *x, int n) { memset(x, 0, (size_t)n * sizeof *x); }
 /* Axes that are not rotated. */
 static const double ahead[2] = {1, 0};
 
-static double length_of(const pm_numbers *numbers, int i) { return i % 3 == 2 ? 1 : numbers->size; }
 static double unit_of_time(const pm_numbers *numbers) { return numbers->size / numbers->speed; }
 
 /* Part i of spin x d: d rotated left; angles do not rotate. */
@@ -107,7 +106,7 @@ static void spread(const pm_model *model, const pm_numbers *numbers, const pm_fa
     clear(d, model->nq);
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
-        const double value = x[i] * length_of(numbers, c);
+        const double value = x[i] * pm_numbers_length(numbers, c);
         if (c % 3 == 2) {
             d[c] += value;
         } else {
@@ -124,7 +123,7 @@ static void gather(const pm_numbers *numbers, const pm_fastest_growth *e, const 
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
         const double value = c % 3 == 2 ? d[c] : rotation[0] * d[c] - rotated(rotation[1], d, c);
-        x[i] = value / length_of(numbers, c);
+        x[i] = value / pm_numbers_length(numbers, c);
     }
 }
 
@@ -288,7 +287,7 @@ static int excite(const pm_numbers *numbers, pm_fastest_growth *e, int n)
     double size = 0;
     for (int i = 0; i < e->n; i++) {
         e->y[i] = 0;
-        e->y[e->n + i] = e->push[e->at[i]] / length_of(numbers, e->at[i]);
+        e->y[e->n + i] = e->push[e->at[i]] / pm_numbers_length(numbers, e->at[i]);
     }
     const double blow = greatest(n, e->y);
     for (int i = 0; i < n; i++) {
@@ -330,8 +329,8 @@ int pm_fastest_growth_find(pm_workspace *w, pm_fastest_growth *e)
     clear(e->v, w->model->nq);
     for (int i = 0; i < e->n; i++) {
         const int c = e->at[i];
-        e->q[c] = length_of(&w->numbers, c) * e->x[i];
-        e->v[c] = length_of(&w->numbers, c) / time * e->x[e->n + i];
+        e->q[c] = pm_numbers_length(&w->numbers, c) * e->x[i];
+        e->v[c] = pm_numbers_length(&w->numbers, c) / time * e->x[e->n + i];
     }
     return PM_OK;
 }
