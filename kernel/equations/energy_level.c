@@ -42,7 +42,6 @@ static double size_of_terms(pm_workspace *w)
 
 void pm_energy_level_begin(pm_workspace *w, pm_energy_level_level *level)
 {
-    if (w->result.count[PM_COUNT_STEPS] == 0) level->returned = 0;
     level->kept = !w->active.asymmetric && !w->numbers.massless && !pm_turning_plane_turns(w->model) &&
                   !pm_joint_friction_any(w->model) && only_potentials(w->model, &w->state) &&
                   !pm_active_set_is_driven(&w->active);

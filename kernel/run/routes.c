@@ -27,6 +27,12 @@ int pm_routes_create(pm_workspace *w)
     return status;
 }
 
+void pm_routes_forget(pm_workspace *w)
+{
+    for (int i = 0; i < NROUTES; i++)
+        if (routes[i]->forget && needed(w->model, routes[i]->route)) routes[i]->forget(w);
+}
+
 const pm_route_ops *pm_routes_find(int route)
 {
     for (int i = 0; i < NROUTES; i++)

@@ -55,6 +55,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->phase.price = w->phase.lap = w->phase.path_left = w->phase.singular = 0;
     w->phase.stiff = PM_NOT_STIFF;
     w->phase.route = pm_routes_default(w->model); /* until the first phase is planned */
+    pm_routes_forget(w);
     forget_segments(w);
     w->event->nfunction = 0;
     pm_bounce_series_begin(w);

@@ -2,6 +2,7 @@
  *
  * A phase is smooth motion with the fixed active constraints of the workspace (active_set.h).  The event loop calls
  *   applies whether the phase that starts at w->state may be of its kind, by structure and modes; NULL: always
+ *   forget  a new run begins: nothing of the last one is kept; NULL: nothing ever is
  *   prepare looks at that phase: 1 if the route can compute it, and is ready to begin it; NULL: it can
  *   begin   the phase starts at w->state: consistent with the constraints, the frame looks at it
  *   step    one accepted step from w->state towards the time t_limit, never beyond it: afterwards w->state is at
@@ -38,6 +39,7 @@ typedef struct pm_route_ops {
     int route;                      /* enum pm_route */
     int (*create)(pm_workspace *w); /* its memory, which the workspace owns */
     int (*applies)(const pm_workspace *w);
+    void (*forget)(pm_workspace *w);
     int (*prepare)(pm_workspace *w);
     int (*begin)(pm_workspace *w);
     int (*step)(pm_workspace *w, double t_limit);
@@ -75,6 +77,8 @@ extern const pm_route_ops pm_route_rk, pm_route_ida, pm_route_uniform, pm_route_
 
 /* Creates what all routes need. */
 int pm_routes_create(pm_workspace *w);
+/* Those of them that were created forget the last run. */
+void pm_routes_forget(pm_workspace *w);
 /* The route of a number of enum pm_route; NULL if there is none. */
 const pm_route_ops *pm_routes_find(int route);
 /* The one that the settings ask for; rk where phases choose, and before anything moves (`state`, `jump`). */

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "rk: the first step of a case that begins on another route is that of the case before",
+        "routes/rk/route_rk.c",
+        "    w->rk->next = 0;\n    w->rk->level",
+        "    w->rk->level",
+    ),
+    Fault(
+        "rk: what became of the energy in the case before is taken over",
+        "routes/rk/route_rk.c",
+        "    w->rk->level.returned = 0;\n",
+        "",
+    ),
+    Fault(
         "rk: coordinates that are dependent where a step begins",
         "routes/rk/route_rk.c",
         "if (status != PM_SINGULAR) return status;\n    pm_tree_partition",

@@ -89,8 +89,7 @@ static int begin(pm_workspace *w)
     r->first = w->result.count[PM_COUNT_STEPS];
     r->next_ledger = 1;
     pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
-    /* a new case owes nothing to the last one, nor a phase to what another route has left behind */
-    if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0;
+    if (w->state.t > r->end) r->next = 0; /* another route was here in between */
     pm_energy_level_begin(w, &r->level);
     set_scale(w);
     return PM_OK;
@@ -282,9 +281,16 @@ static int step(pm_workspace *w, double t_limit)
     }
 }
 
+static void forget(pm_workspace *w)
+{
+    w->rk->next = 0;
+    w->rk->level.returned = 0;
+}
+
 const pm_route_ops pm_route_rk = {
     .route = PM_ROUTE_RK,
     .create = create,
+    .forget = forget,
     .begin = begin,
     .step = step,
     .at = pm_rk_at,

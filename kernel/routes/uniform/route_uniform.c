@@ -132,7 +132,6 @@ static int prepare(pm_workspace *w)
 {
     pm_uniform *u = w->uniform;
     const int nq = w->model->nq;
-    if (w->result.count[PM_COUNT_PHASES] == 0) pm_zeno_reset(w->uniform);
     pm_constant_motion_curve(w, u->v, u->a, u->rotates, u->locked, &u->curve);
     if (u->curve.levers && (pm_joint_friction_any(w->model) || w->model->nteeth > 0))
         return 0; /* reactions change, and friction with them */
@@ -326,9 +325,12 @@ static int exact(pm_workspace *w, double t, pm_state *s)
     return pm_projection_near(w, s);
 }
 
+static void forget(pm_workspace *w) { pm_zeno_reset(w->uniform); }
+
 const pm_route_ops pm_route_uniform = {
     .route = PM_ROUTE_UNIFORM,
     .create = create,
+    .forget = forget,
     .prepare = prepare,
     .begin = begin,
     .step = step,
