@@ -292,6 +292,7 @@
 
 #define PM_ACCURACY_CLAIMED 2e-14 /* of an answer: least error that is claimed; more: hides accuracy that is there */
 #define PM_ACCURACY_COARSE 1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
+#define PM_ACCURACY_FEW 16 /* steps of a run: two runs of few steps may err alike; more: estimates cost more; less: errors are told too small */
 #define PM_ACCURACY_REFINEMENTS 2 /* passes at tighter tolerances; more: longer runs that may not get better */
 #define PM_ACCURACY_LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next: least change; more: more passes */
 #define PM_ACCURACY_MOST_FACTOR 0.1 /* the same: a smaller change is not worth a pass */

@@ -60,6 +60,8 @@ int pm_evidence_is_coarse(const pm_evidence *evidence)
     return evidence->active && evidence->present->coarse;
 }
 
+int pm_evidence_is_fine(const pm_evidence *evidence) { return evidence->active && evidence->present->fine; }
+
 int pm_evidence_in_halves(const pm_evidence *evidence)
 {
     return evidence->active && evidence->present->halves;

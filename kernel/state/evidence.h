@@ -86,6 +86,7 @@ typedef struct pm_pass {
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int coarse;
+    int fine; /* a coarse one that takes in two each step of the main one, which takes few */
     int halves;
     pm_evidence_log log;
 } pm_pass;
@@ -103,6 +104,8 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence);
 void pm_evidence_free_log(void *log);
 /* The tolerance of integration in the present pass. */
 double pm_evidence_tolerance(const pm_workspace *w);
+/* Whether a coarse run takes in two each step of the main one, which takes few. */
+int pm_evidence_is_fine(const pm_evidence *evidence);
 /* Whether a route that takes a state inside a step from its begin takes it in two halves: a phase that one step covers would
  * else be the same in both passes that are compared. */
 int pm_evidence_in_halves(const pm_evidence *evidence);

@@ -9,7 +9,7 @@
  * Where an error is greater than the accuracy asked, or passes have decided differently, the case is run again at a tighter
  * tolerance, with a coarse run of its own, at most PM_ACCURACY_REFINEMENTS times; what got no better is not taken, and what
  * takes much longer than the first pass is not waited for.  The spread of a route is above PM_COARSER: where a phase is one
- * step, the coarse run, which takes it in two, shows a's own error and no more.  It is calibrated:
+ * step, or a run a few, the coarse run takes each in two, and shows a's own error and no more.  It is calibrated:
  * studies/benchmarks/calibration.py. */
 #include "study/accuracy.h"
 
@@ -91,6 +91,13 @@ static uint64_t outcome_of(const pm_model *model, const pm_firing *firing, const
     return hash;
 }
 
+/* So few steps on a route whose errors go with them that another run may err alike. */
+static int takes_few_steps(const pm_pass *p)
+{
+    return p->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW &&
+           (p->count[PM_COUNT_ROUTES] & ((int64_t)1 << PM_ROUTE_RK)) != 0;
+}
+
 static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int coarse)
 {
     pm_accuracy *e = w->accuracy;
@@ -100,6 +107,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     e->npass++;
     p->factor = factor;
     p->coarse = coarse;
+    p->fine = coarse && takes_few_steps(e->main);
     p->halves = e->npass > 1 && !(coarse ? e->main : e->last)->halves;
     if (!coarse) e->last = p;
     w->result.out = p->out;

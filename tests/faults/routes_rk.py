@@ -99,7 +99,13 @@ FAULTS = [
     Fault(
         "coarse run: takes the single step of the main one",
         "routes/rk/route_rk.c",
-        "if (w->numbers.coarse > 1 && begins) h = coarse_step",
+        "if (w->numbers.coarse > 1) h = coarse_step",
         "if (0) h = coarse_step",
+    ),
+    Fault(
+        "coarse run: takes the few steps of the main one",
+        "routes/rk/route_rk.c",
+        "if (pm_evidence_is_fine(&w->evidence)) h =",
+        "if (0) h =",
     ),
 ]

@@ -119,7 +119,7 @@ static scene *two_rods(double accuracy, const double *angle, double time)
     return s;
 }
 
-/* The coarse run of one that takes few steps does not err like it: of 3000 errors hardly any is ten times its estimate. */
+/* The coarse run of one that takes few steps does not err like it: none of 3000 errors is ten times its estimate. */
 static void few_steps(void)
 {
     int beyond = 0, single = 0;
@@ -133,7 +133,7 @@ static void few_steps(void)
         scene_free(exact);
     }
     CHECK(single > 10);
-    CHECK(beyond <= 6);
+    EQUAL(beyond, 0);
 }
 
 /* A double pendulum whose lower rod is driven by a couple that is switched 200 times a second, in a frame turned by an angle. */
@@ -185,7 +185,7 @@ static void margins(void)
             CHECK(s->margin[0] > 1);
             CHECK(i < 5 || s->margin[0] < pow(10, 15 - i)); /* rounding over how close it is */
             if (side > 0) {
-                CHECK(s->margin[0] < 3 * last);
+                CHECK(i < 4 || s->margin[0] < 3 * last); /* before, rounding by chance */
                 last = s->margin[0];
             }
             scene_free(s);

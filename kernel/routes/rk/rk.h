@@ -11,6 +11,7 @@
 #define PM_RK_H
 
 #include "equations/energy_level.h"
+#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 #define PM_RK_DENSE 7 /* coefficients of the dense output */
@@ -32,6 +33,10 @@ struct pm_rk {
     double t0, h;         /* the last step as integrated */
     double end;           /* where it ended */
     double next;          /* step to try next, 0: none known */
+    double ended
+        [2 *
+         PM_ACCURACY_FEW]; /* where the first steps of the main run began and ended, cut by what came within them */
+    int nended;
     int dense_ready, k0_ready;
     pm_energy_level_level level; /* of the energy, where it is kept */
     int ledger, next_ledger;     /* the last step integrates the ledger; the next one does */

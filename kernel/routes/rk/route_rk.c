@@ -165,6 +165,20 @@ static void disturb(pm_evidence *evidence, struct pm_rk *r)
             r->now[i] *= 1 + PM_EVIDENCE_STEP * pm_evidence_noise(evidence, i);
 }
 
+static void note_end(struct pm_rk *r, double t)
+{
+    if (r->nended < 2 * PM_ACCURACY_FEW) r->ended[r->nended++] = t;
+}
+
+/* A step from t0 to t: the one before may have been cut, or another route was here in between. */
+static void note_step(struct pm_rk *r, double t)
+{
+    double *const last = r->nended > 0 ? &r->ended[r->nended - 1] : NULL;
+    if (last && *last > r->t0) *last = r->t0;
+    if (!last || *last < r->t0) note_end(r, r->t0);
+    note_end(r, t);
+}
+
 static int accept(pm_workspace *w, double t)
 {
     struct pm_rk *r = w->rk;
@@ -176,6 +190,7 @@ static int accept(pm_workspace *w, double t)
     if (status) return status;
     pm_energy_level_note(&w->frame, &w->ledger, &r->level, gained);
     pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
+    if (!pm_evidence_is_coarse(&w->evidence)) note_step(r, t);
     w->result.count[PM_COUNT_STEPS]++;
     if ((status = last_stage(w))) return status;
     set_times(w, r->k + STAGES * r->all);
@@ -230,10 +245,24 @@ static int choose_again(pm_workspace *w)
     return pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
 }
 
-/* A coarse run takes in halves what the main one covers in a single step: it would have the same error. */
-static double coarse_step(const pm_workspace *w, double h, double whole)
+/* What is left of the half in which t lies of a step of the main run; INFINITY after the last of them. */
+static double rest_of_half(const struct pm_rk *r, double t)
 {
-    return h >= w->numbers.coarse * whole ? 0.5 * whole : h;
+    double begin = 0;
+    for (int i = 0; i < r->nended; begin = r->ended[i++]) {
+        const double half = 0.5 * (r->ended[i] - begin), least = PM_RK_REST_OF_HALF * half;
+        if (r->ended[i] - half - t > least) return r->ended[i] - half - t;
+        if (r->ended[i] - t > least) return r->ended[i] - t;
+    }
+    return INFINITY;
+}
+
+/* A coarse run that took the steps of the main one would have its error, and one that takes a few others might have it by chance: it
+ * takes in halves what the main one covers in a single step, or in few. */
+static double coarse_step(const pm_workspace *w, double h, int begins, double whole)
+{
+    if (pm_evidence_is_fine(&w->evidence)) h = fmin(rest_of_half(w->rk, w->rk->t0), h);
+    return begins && h >= w->numbers.coarse * whole ? 0.5 * whole : h;
 }
 
 static int step(pm_workspace *w, double t_limit)
@@ -248,7 +277,7 @@ static int step(pm_workspace *w, double t_limit)
     int status = first_stage(w);
     if (status) return status;
     double h = fmin(r->next, longest_step(w));
-    if (w->numbers.coarse > 1 && begins) h = coarse_step(w, h, t_limit - r->t0);
+    if (w->numbers.coarse > 1) h = coarse_step(w, h, begins, t_limit - r->t0);
     double first = h;
     for (int rejected = 0, sidesteps = 0;;) {
         /* what would be left may be too short for a step of its own */
@@ -285,6 +314,7 @@ static void forget(pm_workspace *w)
 {
     w->rk->next = 0;
     w->rk->level.returned = 0;
+    if (!pm_evidence_is_coarse(&w->evidence)) w->rk->nended = 0;
 }
 
 const pm_route_ops pm_route_rk = {
