@@ -19,6 +19,7 @@
 
 #include "elements/capture.h"
 #include "elements/contact.h"
+#include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "elements/teeth.h"
 #include "elements/trigger.h"
@@ -71,13 +72,27 @@ typedef struct pm_touch {
     double rate; /* m/s */
 } pm_touch;
 
+/* Where a series ends here a body rests: what of it is open by no more than the bounces that are left out would be high, and stays
+ * so, rests there, too.  Else it would never close, and the body would be held by too few. */
+static int rests_beside(const pm_workspace *w, int contact, pm_touch *x)
+{
+    if (!w->blow->series_ends) return 0;
+    const double gap = pm_contact_gap(&w->frame, &w->state, contact, &x->member);
+    if (!(gap > 0 && gap <= pm_last_bounce_height(w, contact)) || !pm_bounce_series_ends_beside(w, contact) ||
+        (pm_edge_is(w->model, contact) && !(pm_edge_room(&w->frame, &w->state, contact, x->member) > 0)))
+        return 0;
+    pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
+    return fabs(x->rate) <= pm_contact_speed(&w->frame) &&
+           !pm_contact_modes_released(w->model, &w->instant, contact, x->member);
+}
+
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
     *x = (pm_touch){.stays = 1};
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
-    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return 0;
+    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return rests_beside(w, contact, x);
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
     if (!pm_last_bounce_is_near(w, contact, x->rate)) {
         /* speeds below it neither strike nor part; that of the main pass in a coarse run, too */
@@ -279,6 +294,7 @@ int pm_impact(pm_workspace *w, int *jumped)
     *jumped = 0;
     if (m->nslot == 0) return PM_OK;
     pm_blow *b = w->blow;
+    b->series_ends = 0;
     for (int i = 0;; i++) {
         int struck;
         memset(b->share, PM_OUT, (size_t)m->nslot);
