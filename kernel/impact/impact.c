@@ -245,6 +245,58 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     return PM_OK;
 }
 
+/* What touches, and parts.  How many there are: they are closed, as if they rested. */
+static int join_parting(pm_workspace *w, int *joined)
+{
+    const pm_model *m = w->model;
+    pm_touch x;
+    *joined = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        int slot;
+        if (pm_capture_kind(m, i) != PM_CAPTURE_NONE || !touches(w, i, &x) || x.stays ||
+            pm_contact_modes_released(m, &w->instant, i, x.member))
+            continue;
+        const int status = pm_contact_modes_close(w, i, x.member, &slot);
+        if (status) return status;
+        ++*joined;
+    }
+    return PM_OK;
+}
+
+/* A blow that has failed leaves modes and shares as they were before it. */
+static void take_back(pm_workspace *w, pm_blow *b)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_slot *s = &w->state.slot[i];
+        const int contact = pm_contact_of_slot(w->model, i),
+                  struck = b->share[i] == PM_STRUCK || b->share[i] == PM_DROPPED;
+        b->share[i] = struck ? PM_STRUCK : PM_OUT;
+        s->mode = struck ? pm_contact_modes_of_slip(&w->frame, contact, s->member) : b->resting[i];
+    }
+    pm_frame_look_state(&w->frame, &w->state);
+}
+
+/* Where what approaches or rests allows several blows, or none, what touches and parts takes part as well: most of these blows
+ * would drive it together. */
+static int blow_of_all(pm_workspace *w, pm_blow *b)
+{
+    const pm_where none = w->result.where;
+    const int failed = one_blow(w, b);
+    if ((failed != PM_NOT_UNIQUE && failed != PM_BLOW_UNDECIDED) || pm_impact_one_by_one(w->model))
+        return failed;
+    const pm_where where = w->result.where;
+    int joined;
+    take_back(w, b);
+    int status = join_parting(w, &joined);
+    if (!status && joined > 0) {
+        w->result.where = none;
+        status = one_blow(w, b);
+        if (!status) return status;
+    }
+    w->result.where = where;
+    return failed;
+}
+
 /* Rough contacts that rest hold their slip, too; the other contacts join where they must. */
 int pm_impact_hold(pm_workspace *w)
 {
@@ -304,7 +356,7 @@ int pm_impact(pm_workspace *w, int *jumped)
         if (i == PM_BLOWS_AT_ONCE)
             return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
         if (*jumped == 0) w->impulses.energy_lost = 0;
-        status = one_blow(w, b);
+        status = blow_of_all(w, b);
         if (status) return status;
         ++*jumped;
         if (pm_impact_one_by_one(w->model)) return PM_OK;

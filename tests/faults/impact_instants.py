@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a foot that parts takes no part in a blow that is not unique without it",
+        "impact/impact.c",
+        "if (!status && joined > 0) {",
+        "if (0) {",
+    ),
+    Fault(
         "a foot that stands open by less than the bounces that are left out does not rest",
         "impact/impact.c",
         "if (!w->blow->series_ends) return 0;",
