@@ -10,12 +10,6 @@ FAULTS = [
         "fabs(gap - own) > 1e9",
     ),
     Fault(
-        "edge: the gap beside an end closes at the rate of the face",
-        "elements/edge.c",
-        "return x.height - x.radius >= beyond ? rise : out;",
-        "return rise;",
-    ),
-    Fault(
         "path: rounded places do no work",
         "routes/path/path_error.c",
         "(is_first ? 0 : rounding_of_place(w))",
