@@ -67,6 +67,23 @@ double pm_edge_gap(const pm_frame *frame, int contact, int *member)
     return gap_beyond(&x, beyond);
 }
 
+double pm_edge_gap_rate(const pm_frame *frame, int contact)
+{
+    const pm_model *m = frame->model;
+    const int32_t *e = PM_CONTACT_ROW(m, contact);
+    const pm_edge_place x = pm_edge_beside(frame, contact);
+    const pm_point a = pm_frame_point_of(frame, PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_POINT]),
+                   b = pm_frame_point_of(frame, PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT]);
+    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, turns = frame->velocity[3 * b.body + 2],
+                 v[2] = {a.v[0] - b.v[0] + turns * d[1],
+                         a.v[1] - b.v[1] - turns * d[0]}; /* as the edge sees it */
+    const double rise = pm_cross(x.along, v), beyond = fmax(x.from, x.to),
+                 out = (x.to > x.from ? 1 : -1) * pm_dot(x.along, v);
+    if (beyond <= 0) return x.height - x.radius >= beyond ? rise : out;
+    const double off = hypot(beyond, x.height);
+    return x.height < 0 && beyond < off - x.radius ? out : (beyond * out + x.height * rise) / off;
+}
+
 int pm_edge_is_below(const pm_frame *frame, int contact)
 {
     const pm_edge_place x = pm_edge_beside(frame, contact);

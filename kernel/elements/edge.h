@@ -22,6 +22,8 @@ int pm_edge_meets_another(const pm_frame *frame, const pm_state *state, int cont
 /* Gap at the frame, and the member that is next.  Continuous where nothing overlaps; not below zero beyond the ends but for
  * circles that overlap a corner. */
 double pm_edge_gap(const pm_frame *frame, int contact, int *member);
+/* The rate of that gap, which may be another than the rate of the member that is next: beside an end, and on the back. */
+double pm_edge_gap_rate(const pm_frame *frame, int contact);
 /* The mark touches the face or, beyond it, a corner, or overlaps them: not from the back. */
 int pm_edge_touches(const pm_frame *frame, int contact);
 /* The mark is lower than where it would touch the face; what falls through zero while it is, where it touches a corner or

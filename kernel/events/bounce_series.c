@@ -316,6 +316,14 @@ static int is_closed(const pm_workspace *w, int contact)
     return 0;
 }
 
+int pm_bounce_series_ends_beside(const pm_workspace *w, int contact)
+{
+    const pm_bounce_series *x = w->event->series;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        if (x[i].ends && x[i].struck[0] == w->state.t && share_body(w->event, contact, i)) return 1;
+    return 0;
+}
+
 /* Of all that share the order: they have been closed together, and each would be struck without end. */
 static void cut(pm_workspace *w, int contact)
 {

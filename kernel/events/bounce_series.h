@@ -21,6 +21,8 @@ int pm_bounce_series_is_endless(const pm_workspace *w, int contact);
 int pm_bounce_series_check(pm_workspace *w);
 /* The blow of this instant leaves the contact closed because what it would do then is not followed. */
 void pm_bounce_series_hold(const pm_workspace *w, int contact);
+/* 1 if that has happened now to a contact that shares a body with this one. */
+int pm_bounce_series_ends_beside(const pm_workspace *w, int contact);
 /* 1 if that is an order of several contacts. */
 int pm_bounce_series_is_of_several(const pm_workspace *w, int contact);
 /* 1 if the other contact, or itself, has its part in the same order of blows. */

@@ -11,6 +11,7 @@
 #include <math.h>
 
 #include "elements/contact.h"
+#include "equations/case.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "numerics/tolerances.h"
@@ -67,6 +68,12 @@ double pm_last_bounce_restitution(const pm_workspace *w, int contact, double app
 {
     const double e = pm_contact_restitution(&w->frame, contact);
     return e * -approach > (is_resolved(w, contact) ? least_speed(w) : last_speed(w, contact)) ? e : 0;
+}
+
+double pm_last_bounce_height(const pm_workspace *w, int contact)
+{
+    const double speed = last_speed(w, contact);
+    return 0.5 * speed * speed / pm_case_acceleration(&w->numbers);
 }
 
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate)

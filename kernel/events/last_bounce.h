@@ -6,6 +6,8 @@
 
 /* Restitution of a blow with this speed of approach, m/s: 0 where its rebound is the last. */
 double pm_last_bounce_restitution(const pm_workspace *w, int contact, double approach);
+/* How high a contact rises by the fastest rebounds that are not computed, m. */
+double pm_last_bounce_height(const pm_workspace *w, int contact);
 /* 1 if a contact that touches at `rate` of its gap, m/s, is so near to its last rebound that the number of blows that are
  * left is not known, and decides nothing. */
 int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate);

@@ -172,12 +172,26 @@ static int goes_on(const pm_contact_course *x, int compresses)
     return 0;
 }
 
+/* Slips of which next to nothing is left, as those that end at one place leave them: how many there were. */
+static int end_slips(pm_contact_course *x)
+{
+    int n = 0;
+    for (int i = 0; i < x->n; i++) {
+        double *slip = &x->velocity[2 * i + 1];
+        if (*slip == 0 || fabs(*slip) > PM_COURSE_ALMOST * x->size) continue;
+        *slip = 0;
+        n++;
+    }
+    return n;
+}
+
 static int follow_phase(pm_contact_course *x, int compresses)
 {
     const int most = PM_COURSE_EVENTS * (x->n + x->m + 1);
     for (int i = 0; i < most; i++) {
         if (!goes_on(x, compresses)) return 1;
-        const int found = pm_contact_course_find_rates(x, compresses);
+        int found = pm_contact_course_find_rates(x, compresses);
+        if (found == 0 && i > 0 && end_slips(x)) found = pm_contact_course_find_rates(x, compresses);
         if (found != 1) return found;
         const double s = length(x, compresses);
         if (!isfinite(s)) return 0;

@@ -122,7 +122,7 @@ static int way_of(const pm_model *m, int contact, int member)
 
 /* A mark has come to the end of what it touches: a circle goes on round the corner, or back, with the same slip - the
  * tangents there run against each other -, or on to the next edge. */
-static int pass_end(pm_workspace *w, int slot)
+int pm_contact_modes_pass_end(pm_workspace *w, int slot)
 {
     pm_slot *s = &w->state.slot[slot];
     int heir;
@@ -153,7 +153,7 @@ int pm_contact_modes_begin(pm_workspace *w)
     for (int i = 0; i < w->event->nfunction; i++) {
         if (!w->event->hit[i]) continue;
         if (w->event->function[i].kind == FUNCTION_END) {
-            const int status = pass_end(w, w->event->function[i].index);
+            const int status = pm_contact_modes_pass_end(w, w->event->function[i].index);
             if (status) return status;
         }
         if (w->event->function[i].kind == FUNCTION_FLANK) pm_teeth_turn(w, w->event->function[i].index);

@@ -22,6 +22,11 @@ int pm_contact_modes_solve(pm_workspace *w, int *changed);
 int pm_contact_modes_are_open_by_theory(const pm_workspace *w);
 /* PM_NOT_UNIQUE if more than one motion obeys them.  The modes are as they were; the active set and the frame are not. */
 int pm_contact_modes_check_one(pm_workspace *w);
+/* The contact of a slot has come to the end of its edge, or its curve: what it goes on to. */
+int pm_contact_modes_pass_end(pm_workspace *w, int slot);
+/* A contact that depends on another of the same pair of bodies for this instant alone, and goes over the end of its edge, passes
+ * it now; *left: whether one did.  The frame and the active set are those of the modes. */
+int pm_contact_modes_leave_end(pm_workspace *w, int *left);
 /* Marks the triggers of contacts that opened, slipped or stuck during the instant. */
 void pm_contact_modes_mark(pm_workspace *w);
 /* Closes `contact` with `member` in a free slot, in the mode that its friction and slip ask for. */

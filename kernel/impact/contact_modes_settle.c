@@ -344,6 +344,16 @@ static int solve(pm_workspace *w, int singular, int *changed)
     return singular && (status || !*changed) ? PM_SINGULAR : status;
 }
 
+/* Whether a contact goes over the end of its edge while others hold its pair for this instant. */
+static int leaves_end(pm_workspace *w, int *status)
+{
+    int left;
+    if (w->phase.kinematic || w->active.clear || (*status && *status != PM_SINGULAR)) return 0;
+    const int passed = pm_contact_modes_leave_end(w, &left);
+    if (passed) *status = passed;
+    return left;
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
     const int most = 2 * (w->model->nfriction + w->model->nteeth) + PM_MODES_ROUNDS;
@@ -352,6 +362,7 @@ int pm_contact_modes_settle(pm_workspace *w)
     for (int i = 0, changed = 1; i < most; i++) {
         take_back(w);
         int status = accelerate(w);
+        if (leaves_end(w, &status)) continue;
         if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);
         if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;

@@ -19,6 +19,7 @@
 
 #include "elements/capture.h"
 #include "elements/contact.h"
+#include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "elements/teeth.h"
 #include "elements/trigger.h"
@@ -71,13 +72,27 @@ typedef struct pm_touch {
     double rate; /* m/s */
 } pm_touch;
 
+/* Where a series ends here a body rests: what of it is open by no more than the bounces that are left out would be high, and stays
+ * so, rests there, too.  Else it would never close, and the body would be held by too few. */
+static int rests_beside(const pm_workspace *w, int contact, pm_touch *x)
+{
+    if (!w->blow->series_ends) return 0;
+    const double gap = pm_contact_gap(&w->frame, &w->state, contact, &x->member);
+    if (!(gap > 0 && gap <= pm_last_bounce_height(w, contact)) || !pm_bounce_series_ends_beside(w, contact) ||
+        (pm_edge_is(w->model, contact) && !(pm_edge_room(&w->frame, &w->state, contact, x->member) > 0)))
+        return 0;
+    pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
+    return fabs(x->rate) <= pm_contact_speed(&w->frame) &&
+           !pm_contact_modes_released(w->model, &w->instant, contact, x->member);
+}
+
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
     *x = (pm_touch){.stays = 1};
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
-    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return 0;
+    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return rests_beside(w, contact, x);
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
     if (!pm_last_bounce_is_near(w, contact, x->rate)) {
         /* speeds below it neither strike nor part; that of the main pass in a coarse run, too */
@@ -230,6 +245,58 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     return PM_OK;
 }
 
+/* What touches, and parts.  How many there are: they are closed, as if they rested. */
+static int join_parting(pm_workspace *w, int *joined)
+{
+    const pm_model *m = w->model;
+    pm_touch x;
+    *joined = 0;
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
+        int slot;
+        if (pm_capture_kind(m, i) != PM_CAPTURE_NONE || !touches(w, i, &x) || x.stays ||
+            pm_contact_modes_released(m, &w->instant, i, x.member))
+            continue;
+        const int status = pm_contact_modes_close(w, i, x.member, &slot);
+        if (status) return status;
+        ++*joined;
+    }
+    return PM_OK;
+}
+
+/* A blow that has failed leaves modes and shares as they were before it. */
+static void take_back(pm_workspace *w, pm_blow *b)
+{
+    for (int i = 0; i < w->model->nslot; i++) {
+        pm_slot *s = &w->state.slot[i];
+        const int contact = pm_contact_of_slot(w->model, i),
+                  struck = b->share[i] == PM_STRUCK || b->share[i] == PM_DROPPED;
+        b->share[i] = struck ? PM_STRUCK : PM_OUT;
+        s->mode = struck ? pm_contact_modes_of_slip(&w->frame, contact, s->member) : b->resting[i];
+    }
+    pm_frame_look_state(&w->frame, &w->state);
+}
+
+/* Where what approaches or rests allows several blows, or none, what touches and parts takes part as well: most of these blows
+ * would drive it together. */
+static int blow_of_all(pm_workspace *w, pm_blow *b)
+{
+    const pm_where none = w->result.where;
+    const int failed = one_blow(w, b);
+    if ((failed != PM_NOT_UNIQUE && failed != PM_BLOW_UNDECIDED) || pm_impact_one_by_one(w->model))
+        return failed;
+    const pm_where where = w->result.where;
+    int joined;
+    take_back(w, b);
+    int status = join_parting(w, &joined);
+    if (!status && joined > 0) {
+        w->result.where = none;
+        status = one_blow(w, b);
+        if (!status) return status;
+    }
+    w->result.where = where;
+    return failed;
+}
+
 /* Rough contacts that rest hold their slip, too; the other contacts join where they must. */
 int pm_impact_hold(pm_workspace *w)
 {
@@ -279,6 +346,7 @@ int pm_impact(pm_workspace *w, int *jumped)
     *jumped = 0;
     if (m->nslot == 0) return PM_OK;
     pm_blow *b = w->blow;
+    b->series_ends = 0;
     for (int i = 0;; i++) {
         int struck;
         memset(b->share, PM_OUT, (size_t)m->nslot);
@@ -288,7 +356,7 @@ int pm_impact(pm_workspace *w, int *jumped)
         if (i == PM_BLOWS_AT_ONCE)
             return pm_fail(&w->result, PM_BLOWS_ENDLESS, PM_TABLE_CONTACT, PM_NONE, i, PM_BLOWS_AT_ONCE);
         if (*jumped == 0) w->impulses.energy_lost = 0;
-        status = one_blow(w, b);
+        status = blow_of_all(w, b);
         if (status) return status;
         ++*jumped;
         if (pm_impact_one_by_one(w->model)) return PM_OK;

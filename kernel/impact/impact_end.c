@@ -116,7 +116,7 @@ static void tell_modes(pm_workspace *w)
 
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
  * that slid and stays without slip sticks from the blow on. */
-void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
+void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
 {
     int series_ends = 0;
     for (int i = 0; i < w->model->nslot; i++) {
@@ -147,4 +147,5 @@ void pm_impact_end_modes(pm_workspace *w, const pm_blow *b)
             pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STICK, contact);
     }
     if (series_ends) tell_modes(w);
+    b->series_ends |= series_ends;
 }

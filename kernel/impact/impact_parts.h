@@ -31,6 +31,7 @@ typedef struct pm_blow {
     double *response;     /* [nq] scratch of impact_course.c */
     double approach;      /* m/s, greatest of what is struck */
     int ends_bounce;      /* a contact whose bounce is over is closed: what it was left with is rounding */
+    int series_ends;      /* some rebound of this instant is the last of its series */
     int shock;            /* slot whose blow is an impact without collision, or PM_NONE */
     int several;          /* the blow is that of impact_together.c, and no rounding */
     int followed;         /* it is that of impact_followed.c */
@@ -137,6 +138,6 @@ void pm_impact_end_record(pm_workspace *w);
 void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint *normal,
                                   const pm_constraint *tangent, const double impulse[2]);
 /* Modes after it: the frame looks at the velocities after the blow. */
-void pm_impact_end_modes(pm_workspace *w, const pm_blow *b);
+void pm_impact_end_modes(pm_workspace *w, pm_blow *b);
 
 #endif

@@ -46,6 +46,7 @@
 #define PM_COURSE_IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves; larger: friction is left out */
 #define PM_COURSE_ROUNDING 1e-12 /* of the greatest velocity of a blow: none; larger: approaches are passed over */
 #define PM_COURSE_SAME 1e-10 /* of a stretch: what ends so soon after it ends with it; larger: slips that end soon after count as none, smaller: rounding makes stretches */
+#define PM_COURSE_ALMOST 1e-9 /* of the greatest velocity of a blow: a slip that is left, where no motion goes on with it and one may without; larger: slips that go on are stopped */
 #define PM_COURSE_COUNTED 5 /* contacts of a blow that is followed: up to here the order in the file decides nothing; more: 4 times dearer each */
 #define PM_COURSE_EVENTS 400 /* in a phase of a blow, for each contact: two slips that end in turn, each time by 0.98 or less of the time before, are at rest; more: one that does not end is found later */
 #define PM_SPRINGS_COLUMNS 7 /* of the extrapolation in a blow with stiffnesses: order 14; more: longer steps, more rounding */

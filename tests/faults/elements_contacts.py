@@ -153,7 +153,18 @@ FAULTS = [
         "pm_edge_is_covered(frame, s, contact) ? INFINITY :",
         "",
     ),
-    Fault("edge: its end is not seen beside it", "elements/edge.c", "if (beyond <= 0) return", "return"),
+    Fault(
+        "edge: its end is not seen beside it",
+        "elements/edge.c",
+        "if (beyond <= 0) return fmax(",
+        "return fmax(",
+    ),
+    Fault(
+        "edge: the gap beside an end closes at the rate of the face",
+        "elements/edge.c",
+        "return x.height - x.radius >= beyond ? rise : out;",
+        "return rise;",
+    ),
     Fault(
         "edge: the wrong corner",
         "elements/edge.c",

@@ -133,6 +133,12 @@ FAULTS = [
         "!(of->g[k] < 0) &&",
     ),
     Fault(
+        "a slip that is next to nothing ends where it began, again and again",
+        "events/event_bracket.c",
+        "if (f->kind == FUNCTION_SLIP) leaves_later(w, f, a, end, x);",
+        "",
+    ),
+    Fault(
         "missed root: comes back to a held zero at once",
         "events/event_bracket.c",
         "return now || crosses(f, g, gb)",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "course: next to nothing of a slip that is left wedges what could go on",
+        "impact/contact_course.c",
+        "if (found == 0 && i > 0 && end_slips(x))",
+        "if (0 && end_slips(x))",
+    ),
+    Fault(
         "painleve: what nearly jams is not struck",
         "impact/impact_followed.c",
         "if (w->instant.jams && is_near(w, x, i))",

@@ -4,6 +4,24 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a foot that parts takes no part in a blow that is not unique without it",
+        "impact/impact.c",
+        "if (!status && joined > 0) {",
+        "if (0) {",
+    ),
+    Fault(
+        "a foot that stands open by less than the bounces that are left out does not rest",
+        "impact/impact.c",
+        "if (!w->blow->series_ends) return 0;",
+        "return 0;",
+    ),
+    Fault(
+        "a foot far from its wall rests where a series ends",
+        "impact/impact.c",
+        "if (!(gap > 0 && gap <= pm_last_bounce_height(w, contact))",
+        "if (!(gap > 0)",
+    ),
+    Fault(
         "meeting: a blow is where the rounded time has it",
         "impact/meeting.c",
         "if (left == 0) return PM_OK;",

@@ -16,6 +16,24 @@ FAULTS = [
         "if (0 && let_few_go(w)) return settled(w, 1);",
     ),
     Fault(
+        "corner on corner: both contacts are held",
+        "impact/contact_modes_settle.c",
+        "if (leaves_end(w, &status)) continue;",
+        "",
+    ),
+    Fault(
+        "corner on corner: the contact that its slip takes over the end stays",
+        "impact/contact_modes_ends.c",
+        "way_of_slip(w, slot) == (x.to > x.from ? 1 : -1)",
+        "way_of_slip(w, slot) == (x.to > x.from ? -1 : 1)",
+    ),
+    Fault(
+        "corner on corner: without friction both contacts are held",
+        "impact/contact_modes_ends.c",
+        "slip = slip_without(w, slot);",
+        "return 0;",
+    ),
+    Fault(
         "settle: modes that were tried leave their projection behind",
         "impact/contact_modes_settle.c",
         "take_back(w);\n        int status = accelerate(w);",

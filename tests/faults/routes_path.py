@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "path: steps end soon for an edge that a mark passes behind",
+        "routes/path/route_path.c",
+        "fabs(gap - own) > pm_contact_length(frame)",
+        "fabs(gap - own) > 1e9",
+    ),
+    Fault(
         "path: rounded places do no work",
         "routes/path/path_error.c",
         "(is_first ? 0 : rounding_of_place(w))",

@@ -203,8 +203,32 @@ static void parts_from_too_deep(int route)
     }
 }
 
+/* A block is pushed by a hair more than friction holds, and ever less: it slips for so short a time that no slip shows, and is held
+ * until the push has turned round.  Then it slides back. */
+static void slips_for_an_instant(int route)
+{
+    const double m = check_random(0.5, 5), mu = check_random(0.1, 0.8), hold = mu * m * 9.81,
+                 rate = hold * check_random(10, 40), hair = exp(check_random(log(1e-10), log(1e-8)));
+    const double back = (2 + hair) * hold / rate, end = check_random(1.2, 1.5) * back;
+    scene *s = scene_create();
+    const int p = scene_point(s, scene_body(s, m, 0, 0, 0, 0), 0, 0), t = scene_time(s);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, p, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB,
+                  mu);
+    scene_applied(s, p, PM_GROUND,
+                  SCENE_PROGRAM(s, scene_k(s, (1 + hair) * hold), scene_m(t), scene_k(s, rate),
+                                scene_op(PM_OP_MUL), scene_op(PM_OP_SUB)),
+                  SCENE_PROGRAM(s, scene_k(s, 0)));
+    scene_until_time(s, end);
+    const int x = scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, p, PM_PART_X));
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[x], -rate / m * pow(end - back, 3) / 6, 1e-8);
+    scene_free(s);
+}
+
 int main(void)
 {
+    for (int i = 0; i < 100; i++) slips_for_an_instant(i % 2 ? PM_ROUTE_RK : PM_ROUTE_AUTO);
     parts_from_too_deep(PM_ROUTE_RK);
     parts_from_too_deep(PM_ROUTE_IDA);
     parts_from_too_deep(PM_ROUTE_UNIFORM);

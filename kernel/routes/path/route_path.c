@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "elements/contact.h"
+#include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
@@ -116,7 +117,9 @@ static double step_factor(const pm_workspace *w)
 static double way_to(const pm_frame *frame, const pm_path *path, int contact, int member, double gap)
 {
     double rate;
-    pm_contact_member_gap(frame, contact, member, &rate);
+    const double own = pm_contact_member_gap(frame, contact, member, &rate);
+    if (pm_edge_is(frame->model, contact) && fabs(gap - own) > pm_contact_length(frame))
+        rate = pm_edge_gap_rate(frame, contact); /* beside its end, or behind it */
     rate *= path->sense;
     return gap > pm_contact_length(frame) && rate < 0 ? -gap / rate : INFINITY;
 }
