@@ -8,8 +8,8 @@
  *
  * Where an error is greater than the accuracy asked, or passes have decided differently, the case is run again at a tighter
  * tolerance, with a coarse run of its own, at most PM_ACCURACY_REFINEMENTS times; what got no better is not taken, and what
- * takes much longer than the first pass is not waited for.  The spread of a route is above PM_COARSER: where a phase is one
- * step, or a run a few, the coarse run takes each in two, and shows a's own error and no more.  It is calibrated:
+ * takes much longer than the first pass is not waited for.  Where a phase is one step, or a run a few, the coarse run
+ * takes each in two, and shows a's own error and no more.  The spread of a route is calibrated:
  * studies/benchmarks/calibration.py. */
 #include "study/accuracy.h"
 
