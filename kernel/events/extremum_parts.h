@@ -24,6 +24,7 @@ typedef struct pm_extremum {
     double tail;    /* highest coefficients over it */
     double best;    /* known before it is looked for, as g */
     double nothing; /* so much more is not looked for */
+    double above;   /* likewise, of what the law says */
     double end;     /* of the step, as a fraction of what is sampled */
     double slope_error;
     int spectral; /* the samples are at nodes of Chebyshev polynomials, and nothing is asked where another is extreme */
@@ -123,6 +124,10 @@ int pm_extremum_law_denies(pm_workspace *w, const pm_extremum *p, int k);
 /* Between two places where it rises and falls: the value at the root of its rate. */
 int pm_extremum_law_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
                         const pm_extremum_slope *b);
+
+/* ---- extremum_bound.c: by bounds of the law, which is known ---- */
+/* What may be above the best so far, of all the step. */
+int pm_extremum_bound_find(pm_workspace *w, pm_extremum *p);
 
 /* ---- extremum_branch.c: where a program takes one branch after the other ---- */
 /* Extremes of all branches and the corners between them; *taken is 0 if there is only one branch, or they are not resolved. */

@@ -302,7 +302,7 @@ int pm_waves_tell_law(const pm_workspace *w, int program)
 {
     const pm_waves *x = w->watched->waves;
     const pm_waves_course c = {.w = w, .program = program};
-    return x->filled && x->possible[program] == WAVES && known(&c) == SERIES_KNOWN;
+    return x->filled && x->possible[program] != NOTHING_MORE && known(&c) == SERIES_KNOWN;
 }
 
 pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign, double s)
@@ -310,9 +310,9 @@ pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign,
     return pm_enclosure_at(w->model, program, w->numbers.folded, &w->watched->waves->along, sign, s);
 }
 
-pm_interval pm_waves_bounds(const pm_workspace *w, int program)
+pm_enclosure pm_waves_enclosed(const pm_workspace *w, int program, double from, double to)
 {
-    return enclose(&(pm_waves_course){.w = w, .program = program}, 0, 1).jet.value;
+    return enclose(&(pm_waves_course){.w = w, .program = program}, from, to);
 }
 
 /* ---- all of them ---- */
