@@ -74,7 +74,7 @@ static int offer_top(pm_workspace *w, pm_extremum *p, const pm_bound_part *part)
 /* Whether a part has to be halved: what is known of it does not tell its greatest value. */
 static int is_left(const pm_extremum *p, const pm_bound_part *part, const pm_bound *x)
 {
-    if (x->most <= p->best + p->above || part->to - part->from <= PM_WINDOW_LEAST) return 0;
+    if (x->most <= p->best + p->above || part->to - part->from <= PM_BOUND_LEAST) return 0;
     return !(x->smooth && (x->rate.lo > 0 || x->rate.hi < 0 || x->bend.hi < 0));
 }
 

@@ -247,6 +247,7 @@
 #define PM_EXTREMUM_NEAR 0.3 /* of a bend: so much it changes over this part of 1 / n^2 of the step; larger: extremes at nodes less exact */
 #define PM_EXTREMUM_DIPS 1e-5 /* tail of a value whose corners can only be dips: looks show what they change; larger: extremes less exact */
 #define PM_BOUND_PARTS 64 /* of a step, that may be left at once: of more, bounds tell nothing; more: level values cost more in vain */
+#define PM_BOUND_LEAST 1e-14 /* of a step: a part in which bounds look for more than a corner that has been found; larger: corners less exact */
 #define PM_EXTREMUM_SHARE 1e-2 /* of the tolerance: so little more is not looked for, but counts as an error; larger: errors larger */
 #define PM_SWITCHES_APART 1e-9 /* of the nodes' distance: switches that are closer change together; larger: branches between them are left out */
 #define PM_HIDDEN_BEND 0.8 /* of the bend that a parabola would have: less is level; larger: more is searched by looks */
