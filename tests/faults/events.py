@@ -298,9 +298,15 @@ FAULTS = [
     ),
     Fault(
         "waves: none are possible",
-        "events/waves.c",
+        "events/wave_kinds.c",
         "if (more > most) most = more;",
-        "if (more > WAVES) most = more;",
+        "if (more > PM_WAVES_ANY) most = more;",
+    ),
+    Fault(
+        "waves: bends anywhere in the step tell those between two nodes",
+        "events/waves.c",
+        "for (int j = k > 0 ? k - 1 : 0; j <= last; j++)",
+        "for (int j = 0; j < c->w->step.nodes->n; j++)",
     ),
     Fault(
         "waves: a switch that is passed there and back is passed once",
