@@ -215,6 +215,8 @@ static void no_time_and_no_number(void)
 }
 
 /* x = v t; 1e-3 exp(-((x - c) / 3 mm)^2) - (x / 1 m)^4: a bell far lower than the rest, which bends as much elsewhere. */
+static int missed; /* so many, and not told by their errors */
+
 static void a_low_bell(int route)
 {
     scene *s = on_route(route);
@@ -232,13 +234,14 @@ static void a_low_bell(int route)
             PM_NONE);
     EQUAL(scene_run(s, NULL), PM_OK);
     const double bell = 1e-3 * half * sqrt(acos(-1)) / v, rest = pow(v, 4) / 5;
-    NEAR(s->out[out], bell - rest, good(route) * rest + 0.1 * bell);
+    missed += fabs(s->out[out] - (bell - rest)) > 10 * s->error[out] + 0.1 * bell;
     scene_free(s);
 }
 
 int main(void)
 {
     for (int k = 0; k < CASES; k++) a_low_bell(PM_ROUTE_AUTO);
+    EQUAL(missed, 0);
     for (int i = 0; i < ROUTES; i++) {
         for (int k = 0; k < CASES; k++) {
             a_throw(routes[i]);
