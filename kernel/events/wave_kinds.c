@@ -15,7 +15,8 @@ static int more_than_operands(const pm_program_step *s)
     case STEP_NUMBER:
     case STEP_MEASURE:
     case STEP_ANSWER: return PM_WAVES_NONE;
-    case STEP_TABLE: return op == PM_OP_PIECEWISE ? PM_WAVES_ANY : PM_WAVES_NONE; /* a piece is a polynomial */
+    case STEP_TABLE:
+        return op == PM_OP_PIECEWISE ? PM_WAVES_ANY : PM_WAVES_NONE; /* a piece is a polynomial */
     default:
         if (op == PM_OP_NEG || op == PM_OP_ADD || op == PM_OP_SUB || op == PM_OP_MUL ||
             (op == PM_OP_DIV && s->kind == STEP_WITH_NUMBER))

@@ -40,7 +40,8 @@ int pm_waves_create(pm_workspace *w)
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (status) return status;
     x->along.place = w->watched->place;
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) x->possible[i] = (unsigned char)pm_wave_kinds_of(m, i);
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        x->possible[i] = (unsigned char)pm_wave_kinds_of(m, i);
     return PM_OK;
 }
 

@@ -174,8 +174,8 @@ static void low_top_on_a_level_place(int route)
     wheel x = turning(route);
     scene_ask_extreme(x.s, PM_ASK_MAX,
                       SCENE_PROGRAM(x.s, U, K(0.2), scene_op(PM_OP_DIV), SQUARE, scene_op(PM_OP_NEG),
-                                    scene_op(PM_OP_EXP), K(0.03), MUL, scene_m(x.turned), K(END / 2), SUB, ABS,
-                                    K(3), scene_op(PM_OP_POW), K(7), scene_op(PM_OP_DIV), SUB),
+                                    scene_op(PM_OP_EXP), K(0.03), MUL, scene_m(x.turned), K(END / 2), SUB,
+                                    ABS, K(3), scene_op(PM_OP_POW), K(7), scene_op(PM_OP_DIV), SUB),
                       PM_NONE);
     for (int i = 0; i < 5 * PLACES; i++) {
         const double c = 0.9 + 1.2 * (i + 0.37) / (5 * PLACES);
@@ -189,10 +189,10 @@ static void low_top_on_a_level_place(int route)
 static void jump_before_a_corner(int route, int kind)
 {
     wheel x = turning(route);
-    scene_ask_extreme(x.s, kind,
-                      SCENE_PROGRAM(x.s, U, K(0), scene_op(PM_OP_GT), K(0.4), SUB, ABS, U, SQUARE, K(1e-3), MUL,
-                                    ADD),
-                      PM_NONE);
+    scene_ask_extreme(
+        x.s, kind,
+        SCENE_PROGRAM(x.s, U, K(0), scene_op(PM_OP_GT), K(0.4), SUB, ABS, U, SQUARE, K(1e-3), MUL, ADD),
+        PM_NONE);
     for (int i = 0; i < PLACES; i++) {
         const double c = 0.3 + 2.4 * (i + 0.37) / PLACES, far = pow(END - c, 2) * 1e-3;
         EQUAL(scene_run(x.s, &c), PM_OK);

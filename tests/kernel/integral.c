@@ -227,10 +227,10 @@ static void a_low_bell(int route)
     scene_until_time(s, 1);
     const int out =
         ask(s, PM_ASK_INTEGRAL,
-            SCENE_PROGRAM(s, scene_m(x), scene_k(s, c), scene_op(PM_OP_SUB), scene_k(s, half), scene_op(PM_OP_DIV),
-                          scene_k(s, 2), scene_op(PM_OP_POW), scene_op(PM_OP_NEG), scene_op(PM_OP_EXP),
-                          scene_k(s, 1e-3), scene_op(PM_OP_MUL), scene_m(x), scene_k(s, 4), scene_op(PM_OP_POW),
-                          scene_op(PM_OP_SUB)),
+            SCENE_PROGRAM(s, scene_m(x), scene_k(s, c), scene_op(PM_OP_SUB), scene_k(s, half),
+                          scene_op(PM_OP_DIV), scene_k(s, 2), scene_op(PM_OP_POW), scene_op(PM_OP_NEG),
+                          scene_op(PM_OP_EXP), scene_k(s, 1e-3), scene_op(PM_OP_MUL), scene_m(x),
+                          scene_k(s, 4), scene_op(PM_OP_POW), scene_op(PM_OP_SUB)),
             PM_NONE);
     EQUAL(scene_run(s, NULL), PM_OK);
     const double bell = 1e-3 * half * sqrt(acos(-1)) / v, rest = pow(v, 4) / 5;
