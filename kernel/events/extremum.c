@@ -233,8 +233,8 @@ int pm_extremum_take(pm_workspace *w, int ask)
                      .last = w->step.nodes->n - 1,
                      .spectral = pm_chebyshev_nodes_spectral(w->step.nodes) &&
                                  !pm_ask_at_extreme(PM_ASK_ROW(w->model, ask))};
-    const int known = pm_extremum_law_known(w, ask);
-    p.law = p.spectral && known && pm_waves_may_be(w, pm_ask_program(PM_ASK_ROW(w->model, ask)));
+    p.law = p.spectral && pm_waves_may_be(w, pm_ask_program(PM_ASK_ROW(w->model, ask))) &&
+            pm_extremum_law_known(w, ask);
     const int inside = nodes_inside(&w->step);
     double least = INFINITY;
     int top = 0, top_inside = 0;
@@ -253,9 +253,8 @@ int pm_extremum_take(pm_workspace *w, int ask)
     const double best = p.sign * w->ask->best[ask];
     p.best = best > p.g[top_inside] ? best : p.g[top_inside];
     p.steep = pm_extremum_law_may_be_steep(w, &p);
-    int status = pm_extremum_find(w, &p, top, p.g[top] - least);
-    if (!status) status = offer_node(w, &p, top_inside);
-    return status || !known ? status : pm_extremum_bound_find(w, &p);
+    const int status = pm_extremum_find(w, &p, top, p.g[top] - least);
+    return status ? status : offer_node(w, &p, top_inside);
 }
 
 int pm_extremum_end_counts(pm_workspace *w, int ask)

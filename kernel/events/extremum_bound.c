@@ -3,6 +3,8 @@
  * A part whose bound is not above the best is left out; so is one along which the value only rises or falls, but for its ends,
  * and one along which it bends down all the way has its one top by the rate.  What is left is halved.  Searches beside nodes
  * may miss a top that stands between them, or one whose one node is in it by chance. */
+#include "events/extremum_bound.h"
+
 #include <math.h>
 
 #include "events/extremum_parts.h"
@@ -99,13 +101,18 @@ static int halve(pm_workspace *w, pm_extremum *p, pm_bound_part *part, int *n)
     return PM_OK;
 }
 
-int pm_extremum_bound_find(pm_workspace *w, pm_extremum *p)
+int pm_extremum_bound_take(pm_workspace *w, int ask)
 {
-    pm_bound_part part[PM_BOUND_PARTS] = {{0, p->end}};
+    const double *sample = pm_ask_samples(w, ask);
+    pm_extremum p = {.ask = ask,
+                     .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1,
+                     .end = (w->step.end - w->step.begin) / (w->step.sampled_end - w->step.begin)};
+    pm_bound_part part[PM_BOUND_PARTS] = {{0, p.end}};
     int n = 1, status = PM_OK;
-    p->branch = NULL;
-    p->best = pm_extremum_best(w->ask, p);
-    p->above = w->numbers.tolerance * p->size;
-    while (n > 0 && n <= PM_BOUND_PARTS && !status) status = halve(w, p, part, &n);
+    if (w->ask->undefined[ask] || !pm_extremum_law_known(w, ask)) return PM_OK;
+    for (int k = 0; k < w->step.nodes->n; k++) p.size = pm_max(fabs(sample[k]), p.size);
+    p.best = p.sign * w->ask->best[ask];
+    p.above = w->numbers.tolerance * p.size;
+    while (n > 0 && n <= PM_BOUND_PARTS && !status) status = halve(w, &p, part, &n);
     return status;
 }

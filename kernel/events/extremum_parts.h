@@ -125,10 +125,6 @@ int pm_extremum_law_denies(pm_workspace *w, const pm_extremum *p, int k);
 int pm_extremum_law_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
                         const pm_extremum_slope *b);
 
-/* ---- extremum_bound.c: by bounds of the law, which is known ---- */
-/* What may be above the best so far, of all the step. */
-int pm_extremum_bound_find(pm_workspace *w, pm_extremum *p);
-
 /* ---- extremum_branch.c: where a program takes one branch after the other ---- */
 /* Extremes of all branches and the corners between them; *taken is 0 if there is only one branch, or they are not resolved. */
 int pm_extremum_branch_all(pm_workspace *w, const pm_extremum *p, int *taken);

@@ -74,8 +74,8 @@ FAULTS = [
     ),
     Fault(
         "bound: what searches have not met is not there",
-        "events/extremum.c",
-        "return status || !known ? status : pm_extremum_bound_find(w, &p);",
+        "events/ask_step.c",
+        "return status ? status : pm_extremum_bound_take(w, ask);",
         "return status;",
     ),
     Fault(
