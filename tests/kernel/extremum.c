@@ -168,19 +168,19 @@ static void top_over_floor(int route, double e)
     expect_extreme(x, 0.3, 2.7, 1, 1e-11);
 }
 
-/* 0.03 exp(-(u / 0.2)^2) - |angle - END / 2|^3 / 7: a low top between nodes, where all the rest is nearly level. */
+/* 0.0008 exp(-(u / 0.07)^2) - (angle - 1.2)^4 / 27: a low top between nodes, where all the rest is nearly level. */
 static void low_top_on_a_level_place(int route)
 {
     wheel x = turning(route);
     scene_ask_extreme(x.s, PM_ASK_MAX,
-                      SCENE_PROGRAM(x.s, U, K(0.2), scene_op(PM_OP_DIV), SQUARE, scene_op(PM_OP_NEG),
-                                    scene_op(PM_OP_EXP), K(0.03), MUL, scene_m(x.turned), K(END / 2), SUB,
-                                    ABS, K(3), scene_op(PM_OP_POW), K(7), scene_op(PM_OP_DIV), SUB),
+                      SCENE_PROGRAM(x.s, U, K(0.07), scene_op(PM_OP_DIV), SQUARE, scene_op(PM_OP_NEG),
+                                    scene_op(PM_OP_EXP), K(8e-4), MUL, scene_m(x.turned), K(1.2), SUB, K(4),
+                                    scene_op(PM_OP_POW), K(27), scene_op(PM_OP_DIV), SUB),
                       PM_NONE);
-    for (int i = 0; i < PLACES; i++) {
-        const double c = 0.9 + 1.2 * (i + 0.37) / PLACES;
+    for (int i = 0; i < 10 * PLACES; i++) {
+        const double c = 0.7 + (i + 0.37) / (10 * PLACES);
         EQUAL(scene_run(x.s, &c), PM_OK);
-        CHECK(x.s->out[0] >= 0.03 - pow(fabs(c - END / 2), 3) / 7 - 1e-12);
+        CHECK(x.s->out[0] >= 8e-4 - pow(c - 1.2, 4) / 27 - 1e-12);
     }
     scene_free(x.s);
 }
