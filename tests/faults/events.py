@@ -303,12 +303,6 @@ FAULTS = [
         "if (more > PM_WAVES_ANY) most = more;",
     ),
     Fault(
-        "waves: bends anywhere in the step tell those between two nodes",
-        "events/waves.c",
-        "for (int j = k > 0 ? k - 1 : 0; j <= last; j++)",
-        "for (int j = 0; j < c->w->step.nodes->n; j++)",
-    ),
-    Fault(
         "waves: a switch that is passed there and back is passed once",
         "events/waves.c",
         "(x->passed == 0 ||",
