@@ -6,6 +6,7 @@
 
 #include "events/ask.h"
 #include "events/extremum.h"
+#include "events/extremum_bound.h"
 #include "events/integral.h"
 #include "events/step.h"
 #include "numerics/bracket.h"
@@ -79,6 +80,12 @@ int pm_ask_keeps_samples(const pm_step *step, const struct pm_ask_set *ask)
     return 1;
 }
 
+static int extreme_in_step(pm_workspace *w, int ask)
+{
+    const int status = pm_extremum_take(w, ask);
+    return status ? status : pm_extremum_bound_take(w, ask);
+}
+
 /* The end of a step that was shortened is no node. */
 static int offer_end(pm_workspace *w)
 {
@@ -104,7 +111,7 @@ int pm_ask_step(pm_workspace *w)
         const int ask = w->ask->observer[i];
         const int32_t *e = PM_ASK_ROW(w->model, ask);
         const int status = pm_model_ask_is_integral(e)  ? pm_integral_step(w, ask)
-                           : pm_model_ask_is_extreme(e) ? pm_extremum_take(w, ask)
+                           : pm_model_ask_is_extreme(e) ? extreme_in_step(w, ask)
                                                         : grid_in_step(w, ask);
         if (status) return status;
     }

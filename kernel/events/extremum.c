@@ -6,6 +6,7 @@
 #include "events/extremum_parts.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
+#include "events/waves.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -232,7 +233,8 @@ int pm_extremum_take(pm_workspace *w, int ask)
                      .last = w->step.nodes->n - 1,
                      .spectral = pm_chebyshev_nodes_spectral(w->step.nodes) &&
                                  !pm_ask_at_extreme(PM_ASK_ROW(w->model, ask))};
-    p.law = p.spectral && pm_extremum_law_known(w, ask);
+    p.law = p.spectral && pm_waves_may_be(w, pm_ask_program(PM_ASK_ROW(w->model, ask))) &&
+            pm_extremum_law_known(w, ask);
     const int inside = nodes_inside(&w->step);
     double least = INFINITY;
     int top = 0, top_inside = 0;

@@ -121,19 +121,35 @@ static void signs_beside(const pm_extremum_branches *b, const pm_switches *there
     }
 }
 
+/* The value of the branch with these signs where the frame looks; but switch i may have changed what others are told by, which
+ * come after it: they stand as that says. */
+static double value_beside(pm_workspace *w, const pm_extremum *p, const pm_extremum_branches *b, int i,
+                           pm_extremum_signs sign)
+{
+    pm_switches beside = {.sign = sign};
+    const int program = pm_ask_program(PM_ASK_ROW(w->model, p->ask));
+    double value = pm_watched_samples_here(w, program, &beside);
+    for (int j = i + 1; j < b->at.n; j++) {
+        const double arg = beside.arg[j][0];
+        if (!(fabs(arg) > b->branch.zero[j]) || (arg < 0) == (sign[j] < 0)) continue;
+        sign[j] = arg < 0 ? -1 : 1;
+        value = pm_watched_samples_here(w, program, &beside);
+    }
+    return value;
+}
+
 /* The value jumps at switch i, where the frame looks, between node k and the next: what it comes from and what it goes to are
  * its branches there. */
 static void offer_jump(pm_workspace *w, const pm_extremum *p, pm_extremum_branches *b, int i, int k)
 {
     const int program = pm_ask_program(PM_ASK_ROW(w->model, p->ask));
-    pm_switches there = {.sign = NULL}, beside;
+    pm_switches there = {.sign = NULL};
     pm_extremum_signs sign;
     pm_watched_samples_here(w, program, &there);
     for (int side = 0; side < 2; side++) {
         signs_beside(b, &there, k + side, sign);
         sign[i] = b->sign[k + side][i];
-        beside.sign = sign;
-        const double value = pm_watched_samples_here(w, program, &beside);
+        const double value = value_beside(w, p, b, i, sign);
         if (isfinite(value)) pm_ask_offer(w, p->ask, value, 0);
     }
 }

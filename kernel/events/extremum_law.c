@@ -19,7 +19,7 @@ int pm_extremum_law_known(const pm_workspace *w, int ask) { return pm_waves_tell
 int pm_extremum_law_may_be_steep(const pm_workspace *w, const pm_extremum *p)
 {
     if (!p->law || w->ask->switches[p->ask] == 0) return 0;
-    const pm_interval bounds = pm_waves_bounds(w, program_of(w, p->ask));
+    const pm_interval bounds = pm_waves_enclosed(w, program_of(w, p->ask), 0, 1).jet.value;
     return !((p->sign > 0 ? bounds.hi : -bounds.lo) <= p->best);
 }
 

@@ -24,6 +24,7 @@ typedef struct pm_extremum {
     double tail;    /* highest coefficients over it */
     double best;    /* known before it is looked for, as g */
     double nothing; /* so much more is not looked for */
+    double above;   /* likewise, of what the law says */
     double end;     /* of the step, as a fraction of what is sampled */
     double slope_error;
     int spectral; /* the samples are at nodes of Chebyshev polynomials, and nothing is asked where another is extreme */

@@ -15,19 +15,13 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/watched_samples.h"
+#include "events/wave_kinds.h"
 #include "expression/enclosure.h"
-#include "expression/operation.h"
-#include "expression/program.h"
 #include "expression/program_fold.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/arena.h"
-
-enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS | PM_OPERATION_COUNTS };
-
-/* What a program may have along a step that the measures it reads have not. */
-enum { NOTHING_MORE = 0, SWITCHES_ONLY = 1, WAVES = 2 };
 
 typedef struct pm_waves {
     unsigned char *possible; /* [programs] of these */
@@ -36,43 +30,6 @@ typedef struct pm_waves {
 } pm_waves;
 
 /* ---- which programs ---- */
-/* What a step of a program may have that its operands have not. */
-static int more_than_operands(const pm_program_step *s)
-{
-    const int op = s->op;
-    switch (s->kind) {
-    case STEP_NUMBER:
-    case STEP_MEASURE:
-    case STEP_ANSWER: return NOTHING_MORE;
-    case STEP_TABLE: return op == PM_OP_PIECEWISE ? WAVES : NOTHING_MORE; /* a piece is a polynomial */
-    default:
-        if (op == PM_OP_NEG || op == PM_OP_ADD || op == PM_OP_SUB || op == PM_OP_MUL ||
-            (op == PM_OP_DIV && s->kind == STEP_WITH_NUMBER))
-            return NOTHING_MORE;
-        return op == PM_OP_SELECT || pm_operation_has(op, SWITCHES) ? SWITCHES_ONLY : WAVES;
-    }
-}
-
-/* A measure that is the size of something has a corner at zero: that is seen where it is read. */
-static int is_size(const pm_model *m, const pm_program_step *s)
-{
-    return s->kind == STEP_MEASURE && pm_program_takes_size(m, s->arg);
-}
-
-/* The most that a step of the program has; an answer would be no polynomial. */
-static int possible_in(const pm_model *m, int program)
-{
-    const pm_program_fold *f = m->programs.fold;
-    int most = NOTHING_MORE;
-    for (int k = f->first[program]; k < f->first[program + 1]; k++) {
-        const int more = more_than_operands(&f->step[k]);
-        if (f->step[k].kind == STEP_ANSWER) return NOTHING_MORE;
-        if (more > most) most = more;
-        k += is_size(m, &f->step[k]);
-    }
-    return most;
-}
-
 int pm_waves_create(pm_workspace *w)
 {
     const pm_model *m = w->model;
@@ -83,13 +40,14 @@ int pm_waves_create(pm_workspace *w)
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (status) return status;
     x->along.place = w->watched->place;
-    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++) x->possible[i] = (unsigned char)possible_in(m, i);
+    for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
+        x->possible[i] = (unsigned char)pm_wave_kinds_of(m, i);
     return PM_OK;
 }
 
 int pm_waves_may_be(const pm_workspace *w, int program)
 {
-    return w->watched->waves->possible[program] == WAVES;
+    return w->watched->waves->possible[program] == PM_WAVES_ANY;
 }
 
 void pm_waves_forget(pm_workspace *w) { w->watched->waves->filled = 0; }
@@ -174,26 +132,32 @@ static double nothing_of(const pm_waves_course *c, pm_interval range)
 static int is_calm(const pm_waves_course *c, pm_interval range)
 {
     const pm_enclosure all = enclose(c, 0, 1);
-    return !all.open &&
-           pm_interval_size(all.jet.bend) <= PM_WAVES_CALM * pm_interval_width(range) + nothing_of(c, range);
+    const double calm = PM_WAVES_CALM * pm_interval_width(range) + nothing_of(c, range);
+    return !all.open && pm_interval_size(all.jet.bend) <= calm;
 }
 
-/* The bends at the nodes, widened by what changes nothing; 0 if the polynomial has other rates there. */
-static int take_bends(const pm_waves_course *c, pm_interval range, pm_interval *bends)
+/* The bends at the nodes; 0 if the polynomial has other rates there. */
+static int take_bends(const pm_waves_course *c, pm_interval range, pm_interval *bend)
 {
     const pm_chebyshev_nodes *nodes = c->w->step.nodes;
     double off = 0, steepest = 0;
-    *bends = (pm_interval){INFINITY, -INFINITY};
     for (int k = 0; k < nodes->n; k++) {
-        const pm_enclosure here = enclose(c, nodes->at[k], nodes->at[k]);
-        if (!is_bounded(here.jet.rate) || !is_bounded(here.jet.bend)) return 0;
-        *bends = pm_interval_hull(*bends, here.jet.bend);
-        steepest = pm_max(pm_interval_size(here.jet.rate), steepest);
-        off = pm_max(fabs(pm_chebyshev_slope_at(nodes, c->sample, k) - here.jet.rate.lo), off);
+        const pm_jet here = enclose(c, nodes->at[k], nodes->at[k]).jet;
+        if (!is_bounded(here.rate) || !is_bounded(here.bend)) return 0;
+        bend[k] = here.bend;
+        steepest = pm_max(pm_interval_size(here.rate), steepest);
+        off = pm_max(fabs(pm_chebyshev_slope_at(nodes, c->sample, k) - here.rate.lo), off);
     }
-    const double nothing = nothing_of(c, range);
-    *bends = pm_enclosure_sampled_bends(*bends, nothing);
-    return c->by_branches || off <= PM_WAVES_RATES * steepest + nodes->n * nodes->n * nothing;
+    return c->by_branches || off <= PM_WAVES_RATES * steepest + nodes->n * nodes->n * nothing_of(c, range);
+}
+
+/* What those at the nodes near node k and the next tell of the bends between these, widened by what changes nothing. */
+static pm_interval bends_near(const pm_waves_course *c, const pm_interval *bend, int k, pm_interval range)
+{
+    const int last = pm_min(k + 2, c->w->step.nodes->n - 1);
+    pm_interval near = bend[k];
+    for (int j = k > 0 ? k - 1 : 0; j <= last; j++) near = pm_interval_hull(near, bend[j]);
+    return pm_enclosure_sampled_bends(near, nothing_of(c, range));
 }
 
 /* How a program goes from one node to another. */
@@ -232,7 +196,7 @@ static int stays_between(const pm_waves_course *c, pm_passage *x, int k)
            (x->passed == 0 || x->passed == enclose(c, at[k], at[k + 1]).changes);
 }
 
-/* From one node to another no switch is passed that is not known. */
+/* From one node to another only switches are passed that are known. */
 static int has_known_switches(const pm_waves_course *c, int first, int last)
 {
     const double *at = c->w->step.nodes->at;
@@ -256,7 +220,7 @@ static double first_switch(const pm_waves_course *c, double from, double to, int
 
 static int switches_only(const pm_waves_course *c)
 {
-    return c->w->watched->waves->possible[c->program] == SWITCHES_ONLY;
+    return c->w->watched->waves->possible[c->program] == PM_WAVES_SWITCHES_ONLY;
 }
 
 /* By the nodes of routes that do not care for waves. */
@@ -272,6 +236,7 @@ static int is_shown(const pm_waves_course *c)
 {
     const pm_chebyshev_nodes *nodes = c->w->step.nodes;
     const pm_interval range = range_of(c);
+    pm_interval bend[PM_NODES_MOST];
     pm_passage x = {.budget = PM_TIME_PARTS};
     if (!is_bounded(range)) return 1; /* whoever watches says so */
     const int told = known(c);
@@ -279,9 +244,11 @@ static int is_shown(const pm_waves_course *c)
     if (switches_only(c)) return has_known_switches(c, 0, nodes->n - 1);
     if (is_calm(c, range)) return 1;
     if (!c->by_branches && pm_chebyshev_tail(nodes, c->sample) > PM_TAIL_WAVES) return 0;
-    if (!take_bends(c, range, &x.bends)) return 0;
-    for (int k = 0; k + 1 < nodes->n; k++)
+    if (!take_bends(c, range, bend)) return 0;
+    for (int k = 0; k + 1 < nodes->n; k++) {
+        x.bends = bends_near(c, bend, k, range);
         if (!stays_between(c, &x, k)) return 0;
+    }
     return 1;
 }
 
@@ -301,8 +268,8 @@ static int is_shown_by_few(const pm_waves_course *c)
 int pm_waves_tell_law(const pm_workspace *w, int program)
 {
     const pm_waves *x = w->watched->waves;
-    const pm_waves_course c = {.w = w, .program = program};
-    return x->filled && x->possible[program] == WAVES && known(&c) == SERIES_KNOWN;
+    return x->filled && x->possible[program] != PM_WAVES_NONE &&
+           known(&(pm_waves_course){.w = w, .program = program}) == SERIES_KNOWN;
 }
 
 pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign, double s)
@@ -310,9 +277,9 @@ pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign,
     return pm_enclosure_at(w->model, program, w->numbers.folded, &w->watched->waves->along, sign, s);
 }
 
-pm_interval pm_waves_bounds(const pm_workspace *w, int program)
+pm_enclosure pm_waves_enclosed(const pm_workspace *w, int program, double from, double to)
 {
-    return enclose(&(pm_waves_course){.w = w, .program = program}, 0, 1).jet.value;
+    return enclose(&(pm_waves_course){.w = w, .program = program}, from, to);
 }
 
 /* ---- all of them ---- */
@@ -356,7 +323,8 @@ static int next_course(pm_workspace *w, int functions, int watched, int *i, pm_w
 static int holds_for_all(pm_workspace *w, int functions, int watched, int (*is)(const pm_waves_course *))
 {
     pm_waves_course c;
-    for (int i = 0; next_course(w, functions, watched, &i, &c);)
+    int i = 0;
+    while (next_course(w, functions, watched, &i, &c))
         if (!is(&c)) return 0;
     return 1;
 }

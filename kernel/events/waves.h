@@ -29,8 +29,8 @@ int pm_waves_tell_law(const pm_workspace *w, int program);
 /* The program at s (0 to 1) of the step by its law: what it makes of its measures there; of the branch with these signs, or
  * (NULL) of the one that is taken. */
 pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign, double s);
-/* What the program's values along the step cannot leave, by its law. */
-pm_interval pm_waves_bounds(const pm_workspace *w, int program);
+/* What the program cannot leave over the part [from, to] of the step, by its law. */
+pm_enclosure pm_waves_enclosed(const pm_workspace *w, int program, double from, double to);
 /* 1 if samples at few nodes, as routes have them, would show these, too. */
 int pm_waves_are_shown_by_few(pm_workspace *w, int functions, int watched);
 

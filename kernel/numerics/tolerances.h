@@ -225,7 +225,7 @@
 #define PM_SERIES_ROUNDING 1e-14 /* of the coefficients: what rounding leaves of the highest, and values scatter by; larger: less is resolved */
 #define PM_SERIES_SCATTERS 0.5 /* of the lower coefficients, sums of both: the upper ones do not fall off; larger: noise is halved to the end */
 #define PM_TAIL_FEW 1e-2 /* likewise of up to five, which only tell whether more are needed; larger: waves are missed */
-#define PM_WAVES_CALM 10.0 /* times the range of the samples: a bend over a step that hides nothing between nodes; larger: peaks are missed */
+#define PM_WAVES_CALM 10.0 /* times the range of the samples: a bend over a step that hides nothing between nodes; larger: low peaks are missed, less: more bounds */
 #define PM_WAVES_FEW 0.01 /* of the range of the samples: what the polynomial through few nodes may leave out; larger: waves are missed */
 #define PM_WAVES_RATES 0.05 /* of the greatest rate: the polynomial through samples has another one at a node: waves; larger: they are missed */
 #define PM_SWITCH_HALVINGS 42 /* of a step: a switch is so nearly known in it; less: jumps are seen less exactly */
@@ -246,6 +246,8 @@
 #define PM_EXTREMUM_WIDE 3.0 /* times the fall beside a node: so far may rise what the nodes do not show; larger: more is searched */
 #define PM_EXTREMUM_NEAR 0.3 /* of a bend: so much it changes over this part of 1 / n^2 of the step; larger: extremes at nodes less exact */
 #define PM_EXTREMUM_DIPS 1e-5 /* tail of a value whose corners can only be dips: looks show what they change; larger: extremes less exact */
+#define PM_BOUND_PARTS 64 /* of a step, that may be left at once: of more, bounds tell nothing; more: level values cost more in vain */
+#define PM_BOUND_LEAST 1e-14 /* of a step: a part in which bounds look for more than a corner that has been found; larger: corners less exact */
 #define PM_EXTREMUM_SHARE 1e-2 /* of the tolerance: so little more is not looked for, but counts as an error; larger: errors larger */
 #define PM_SWITCHES_APART 1e-9 /* of the nodes' distance: switches that are closer change together; larger: branches between them are left out */
 #define PM_HIDDEN_BEND 0.8 /* of the bend that a parabola would have: less is level; larger: more is searched by looks */

@@ -304,9 +304,9 @@ FAULTS = [
     ),
     Fault(
         "waves: none are possible",
-        "events/waves.c",
+        "events/wave_kinds.c",
         "if (more > most) most = more;",
-        "if (more > WAVES) most = more;",
+        "if (more > PM_WAVES_ANY) most = more;",
     ),
     Fault(
         "waves: a switch that is passed there and back is passed once",

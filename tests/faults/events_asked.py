@@ -72,6 +72,24 @@ FAULTS = [
         "if (!p->law || w->ask->switches[p->ask] == 0)",
         "if (1)",
     ),
+    Fault(
+        "bound: what searches have not met is not there",
+        "events/ask_step.c",
+        "return status ? status : pm_extremum_bound_take(w, ask);",
+        "return status;",
+    ),
+    Fault(
+        "bound: a part above the best is left out",
+        "events/extremum_bound.c",
+        "if (x.most <= p->best + p->above) continue;",
+        "if (x.most <= p->best + p->size) continue;",
+    ),
+    Fault(
+        "branch: what comes after a jump stands as before it",
+        "events/extremum_branch.c",
+        "for (int j = i + 1; j < b->at.n; j++)",
+        "for (int j = i + 1; j < i; j++)",
+    ),
     Fault("branch: a program takes but one", "events/extremum_branch.c", "return found;", "return 0;"),
     Fault(
         "branch: a corner is no extreme",

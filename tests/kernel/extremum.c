@@ -168,6 +168,39 @@ static void top_over_floor(int route, double e)
     expect_extreme(x, 0.3, 2.7, 1, 1e-11);
 }
 
+/* 0.0008 exp(-(u / 0.07)^2) - (angle - 1.2)^4 / 27: a low top between nodes, where all the rest is nearly level. */
+static void low_top_on_a_level_place(int route)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(x.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(x.s, U, K(0.07), scene_op(PM_OP_DIV), SQUARE, scene_op(PM_OP_NEG),
+                                    scene_op(PM_OP_EXP), K(8e-4), MUL, scene_m(x.turned), K(1.2), SUB, K(4),
+                                    scene_op(PM_OP_POW), K(27), scene_op(PM_OP_DIV), SUB),
+                      PM_NONE);
+    for (int i = 0; i < 10 * PLACES; i++) {
+        const double c = 0.7 + (i + 0.37) / (10 * PLACES);
+        EQUAL(scene_run(x.s, &c), PM_OK);
+        CHECK(x.s->out[0] >= 8e-4 - pow(c - 1.2, 4) / 27 - 1e-12);
+    }
+    scene_free(x.s);
+}
+
+/* |(u > 0) - 0.4|: 0.4, then 0.6, and nothing between though what is between the bars jumps through zero. */
+static void jump_before_a_corner(int route, int kind)
+{
+    wheel x = turning(route);
+    scene_ask_extreme(
+        x.s, kind,
+        SCENE_PROGRAM(x.s, U, K(0), scene_op(PM_OP_GT), K(0.4), SUB, ABS, U, SQUARE, K(1e-3), MUL, ADD),
+        PM_NONE);
+    for (int i = 0; i < PLACES; i++) {
+        const double c = 0.3 + 2.4 * (i + 0.37) / PLACES, far = pow(END - c, 2) * 1e-3;
+        EQUAL(scene_run(x.s, &c), PM_OK);
+        NEAR(x.s->out[0], kind == PM_ASK_MAX ? 0.6 + far : 0.4, 1e-11);
+    }
+    scene_free(x.s);
+}
+
 /* u^3 / 3 - e u, just what the cubic through two nodes is: the top at u = -sqrt(e), up to where the value rises again. */
 static void cubic_top(int route, double e)
 {
@@ -248,6 +281,11 @@ int main(void)
         }
         top_over_floor(routes[i], 1e-2);
         top_over_floor(routes[i], 1e-3);
+        if (routes[i] != PM_ROUTE_IDA) { /* which takes a hundred times as long, and searches alike */
+            low_top_on_a_level_place(routes[i]);
+            jump_before_a_corner(routes[i], PM_ASK_MIN);
+            jump_before_a_corner(routes[i], PM_ASK_MAX);
+        }
         no_value_at_top(routes[i]);
         what_is_left_out_is_told(routes[i]);
     }

@@ -43,7 +43,7 @@ def test_narrow_tops_are_exact(move: str, route: str) -> None:
     for i, shape in enumerate(tops.SHAPES):
         for behind in tops.BEHIND:
             off, cases = tops.table(tops.Top(move, route, shape, behind), i, 12)
-            wrong = np.flatnonzero(off > 1e-11)
+            wrong = np.flatnonzero(off > tops.EXACT.get(shape, 1e-11))
             assert len(wrong) == 0, (shape, behind, off[wrong], cases[wrong[0]])
             assert np.isnan(off).sum() == 0
 

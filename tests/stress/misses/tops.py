@@ -1,11 +1,12 @@
-"""Narrow tops of an expression along an even motion, most of them where windows of a step end.
+"""Narrow tops of an expression along a motion that goes on, most of them where windows of a step end.
 
-Where x of a body is v t, f((x - a)/w) has its one top, which is known in closed form, whatever a and w are:
+Where x of a body goes on, f((x - a)/w) has its one top, which is known in closed form, whatever a and w are:
 what is found beside it, for tops alone and behind abs, min and max.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -17,22 +18,28 @@ from planemotion import _layout as layout
 from planemotion.engine.call import run_cases
 from tests.scenes.parts import rod_on_pin
 from tests.stress.contacts.laws import Array
+from tests.stress.misses.motions import GRAVITY, OMEGA, SCENES
 
 DIGITS = 30
-END = 1.0  # s
+END = {"glides": 1.0, "turns": 1.0, "falls": 1.0, "springs": 0.25}  # s: it does not come back
 U = "(({X} - a)/w)"
 # f(u), with a slope s, and its top.
 SHAPES: dict[str, tuple[str, Callable[[mp.mpf, mp.mpf], mp.mpf]]] = {
     "bell": (f"exp(-{U}^2)*(1 + s*{U})", lambda s, e: _bell((mp.sqrt(1 + 2 * s * s) - 1) / (2 * s), s)),
     "ridge": (f"(1 + s*{U})/(1 + {U}^2)", lambda s, e: _ridge((mp.sqrt(1 + s * s) - 1) / s, s)),
     "edge": (f"1 - sqrt(e^2 + {U}^2) + s*{U}", lambda s, e: 1 - e * mp.sqrt(1 - s * s)),
+    "waves": (f"cos(3*{U})*exp(-abs({U})/3) + 0*s", lambda s, e: mp.mpf(1)),
     "well": (f"1 - 0.1*log(e^2 + {U}^2) + 0*s", lambda s, e: 1 - mp.log(e) / 5),
 }
+# How far a top may be off that is a corner beside others: no more than the accuracy of the run.
+EXACT = {"waves": 1e-9}
 # What an expression makes of a top, of at most 3, and its answer there; h: a little less than the top.
 BEHIND: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf]]] = {
     "alone": ("{f}", lambda top: top),
     "max": ("max({f} - 0.5, -1)", lambda top: top - 0.5),
     "floor": ("max({f}, h - 0.01*{X})", lambda top: top),
+    "level": ("max(h, {f})", lambda top: top),
+    "product": ("({f})*max(0.5, {f})", lambda top: top * max(mp.mpf(0.5), top)),
     "abs": ("-abs({f} - 5)", lambda top: top - 5),
     "min": ("min({f}, 4 - {X}^2/100)", lambda top: top),
 }
@@ -50,8 +57,26 @@ MOVES = {
         "AB.angle",
         "rad/s",
     ),
+    "falls": (
+        'bodies.k = { mass = "1 kg", at = [0, 0] }\nstart.k.velocity = ["0 m/s", "-v"]\n',
+        "(-k.y/(1 m))",
+        "m/s",
+    ),
+    "springs": (SCENES["springs"].replace('"u"', '"0 m/s"'), "(k.x/(1 m))", "m/s"),
 }
-ROUTES = {"glides": ("uniform", "rk", "ida"), "turns": ("path",)}
+ROUTES = {
+    "glides": ("uniform", "rk", "ida"),
+    "turns": ("path",),
+    "falls": ("uniform", "rk", "ida"),
+    "springs": ("rk", "ida"),
+}
+
+
+def _place(move: str, v: float, t: float) -> float:
+    """x of a body at the time t, as long as it goes on."""
+    if move == "falls":
+        return v * t + 0.5 * GRAVITY * t * t
+    return v * math.sin(OMEGA * t) / OMEGA if move == "springs" else v * t
 
 
 def _bell(u: mp.mpf, s: mp.mpf) -> mp.mpf:
@@ -74,7 +99,7 @@ class Top:
         scene, x, unit = MOVES[self.move]
         e = BEHIND[self.behind][0].replace("{f}", SHAPES[self.shape][0]).replace("{X}", x)
         return f"""
-until = "t = {END} s"
+until = "t = {END[self.move]} s"
 {scene}
 [parameters]
 a = 0.1
@@ -106,7 +131,7 @@ def numbers(top: Top, rng: np.random.Generator) -> dict[str, float]:
     p = {
         "v": float(v),
         "w": float(w),
-        "a": float(v * END * at + off * w),
+        "a": _place(top.move, float(v), float(END[top.move] * at)) + float(off * w),
         "s": float(rng.choice([1e-9, 0.5]) * rng.uniform(0.1, 1)),
         "e": float(10 ** rng.uniform(-4, 0)),
     }
@@ -120,7 +145,7 @@ def table(top: Top, seed: int, n: int) -> tuple[Array, list[dict[str, float]]]:
     rng = np.random.default_rng([29, seed])
     cases = [numbers(top, rng) for _ in range(n)]
     (flat,) = planemotion.load_text(top.text).tables()
-    given = np.array([[{**p, "g": 9.81}[name] for name in flat.parameters] for p in cases])
+    given = np.array([[{**p, "g": GRAVITY}[name] for name in flat.parameters] for p in cases])
     found = run_cases(flat, given)
     truth = np.array([top.truth(p) for p in cases])
     off = np.abs(found.out - np.stack([truth, -truth], axis=1)).max(axis=1)

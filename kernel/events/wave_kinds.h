@@ -1,0 +1,12 @@
+/* wave_kinds.h - what a program may have along a step that the measures it reads have not. */
+#ifndef PM_WAVE_KINDS_H
+#define PM_WAVE_KINDS_H
+
+#include "state/model.h"
+
+enum { PM_WAVES_NONE = 0, PM_WAVES_SWITCHES_ONLY = 1, PM_WAVES_ANY = 2 };
+
+/* The most that it may have. */
+int pm_wave_kinds_of(const pm_model *m, int program);
+
+#endif
