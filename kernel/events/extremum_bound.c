@@ -101,18 +101,23 @@ static int halve(pm_workspace *w, pm_extremum *p, pm_bound_part *part, int *n)
     return PM_OK;
 }
 
-int pm_extremum_bound_take(pm_workspace *w, int ask)
+static int search(pm_workspace *w, int ask)
 {
     const double *sample = pm_ask_samples(w, ask);
     pm_extremum p = {.ask = ask,
                      .sign = pm_ask_greatest(PM_ASK_ROW(w->model, ask)) ? 1 : -1,
                      .end = (w->step.end - w->step.begin) / (w->step.sampled_end - w->step.begin)};
-    pm_bound_part part[PM_BOUND_PARTS] = {{0, p.end}};
+    pm_bound_part part[PM_BOUND_PARTS];
     int n = 1, status = PM_OK;
-    if (w->ask->undefined[ask] || !pm_extremum_law_known(w, ask)) return PM_OK;
+    part[0] = (pm_bound_part){0, p.end};
     for (int k = 0; k < w->step.nodes->n; k++) p.size = pm_max(fabs(sample[k]), p.size);
     p.best = p.sign * w->ask->best[ask];
     p.above = w->numbers.tolerance * p.size;
     while (n > 0 && n <= PM_BOUND_PARTS && !status) status = halve(w, &p, part, &n);
     return status;
+}
+
+int pm_extremum_bound_take(pm_workspace *w, int ask)
+{
+    return w->ask->undefined[ask] || !pm_extremum_law_known(w, ask) ? PM_OK : search(w, ask);
 }
