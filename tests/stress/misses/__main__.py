@@ -1,4 +1,4 @@
-"""`python -m tests.stress.misses`: random pulses, waves and peaks, and what became of them."""
+"""`python -m tests.stress.misses`: random pulses, waves, peaks and asks, and what became of them."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from collections import Counter
 from rich.console import Console
 from rich.table import Table
 
-from tests.stress.misses import peaks, pulses, waves
+from tests.stress.misses import asks, peaks, pulses, waves
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT, TOLD
 
-BATCHES = {"pulses": 200, "waves": 200, "peaks": 10}  # cases of one scene, run as one sweep
+BATCHES = {"pulses": 200, "waves": 200, "peaks": 10, "asks": 10}  # cases of one scene, run as one sweep
 SHOWN = 10  # faults that are shown
 
 
@@ -24,6 +24,7 @@ def main() -> int:
     parser.add_argument("--pulses", type=int, default=10_000)
     parser.add_argument("--waves", type=int, default=10_000)
     parser.add_argument("--peaks", type=int, default=4_000)
+    parser.add_argument("--asks", type=int, default=4_000)
     parser.add_argument("--first", type=int, default=0, help="number of the first batch")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     given = parser.parse_args()
@@ -31,8 +32,8 @@ def main() -> int:
     begun = time.monotonic()
     tasks = [
         (kind, given.first + i)
-        for kind, count in (("pulses", given.pulses), ("waves", given.waves), ("peaks", given.peaks))
-        for i in range(-(-count // BATCHES[kind]))
+        for kind, batch in BATCHES.items()
+        for i in range(-(-getattr(given, kind) // batch))
     ]
     found: dict[tuple[str, str, str], Counter[str]] = {}
     faults: list[str] = []
@@ -56,9 +57,12 @@ def _batch(task: tuple[str, int]) -> tuple[tuple[str, str, str], Counter[str], l
     elif kind == "waves":
         wave, words, drawn = waves.table(seed, n)
         what, route = wave.motion, wave.route
-    else:
+    elif kind == "peaks":
         peak, words, drawn = peaks.table(seed, n)
         what, route = peak.name, peak.route
+    else:
+        ask, words, drawn = asks.table(seed, n)
+        what, route = ask.move, ask.route
     wrong = [
         f"{kind} {seed}, case {i} ({what}, {route or 'default'}): {word}: {drawn[i].tolist()}"
         for i, word in enumerate(words)

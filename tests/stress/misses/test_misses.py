@@ -10,7 +10,7 @@ import pytest
 
 import planemotion
 from planemotion.engine.call import run_cases
-from tests.stress.misses import peaks, pulses, tops, waves
+from tests.stress.misses import asks, peaks, pulses, tops, waves
 from tests.stress.misses.motions import END, GRAVITY, SCENES, place
 from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
 
@@ -33,6 +33,27 @@ def test_no_peak_with_corners_is_missed() -> None:
         found.update(peaks.table(seed, 2)[1])
     assert found[MISSED] == found[BEYOND] == 0
     assert found[RIGHT] > 0.95 * 120
+
+
+def test_asks_of_narrow_features_are_right() -> None:
+    """Counts, extremes and integrals of features behind max, min, abs, a gate, a square or exp."""
+    found: Counter[str] = Counter()
+    for seed in range(20):
+        found.update(asks.table(seed, 3)[1])
+    assert found[MISSED] == found[BEYOND] == 0
+    assert found[RIGHT] > 0.95 * 60
+
+
+def test_the_truth_of_asks_is_that_of_many_times() -> None:
+    for seed in range(12):
+        ask, (p,) = asks.cases_of(seed, 1)
+        (ups, high, low, area), is_open = asks.truth_of(ask, p)
+        t = np.linspace(0, tops.END[ask.move], 400_001)
+        g = ask.value(p, np.array([tops.place(ask.move, p["v"], float(one)) for one in t]))
+        assert g.max() <= high + 1e-8
+        assert g.min() >= low - 1e-8
+        np.testing.assert_allclose(np.trapezoid(g, t), area, atol=2e-5)
+        assert is_open or ups == ((g[:-1] <= p["c"]) & (g[1:] > p["c"])).sum()
 
 
 @pytest.mark.parametrize(

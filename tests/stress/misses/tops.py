@@ -72,7 +72,7 @@ ROUTES = {
 }
 
 
-def _place(move: str, v: float, t: float) -> float:
+def place(move: str, v: float, t: float) -> float:
     """x of a body at the time t, as long as it goes on."""
     if move == "falls":
         return v * t + 0.5 * GRAVITY * t * t
@@ -131,7 +131,7 @@ def numbers(top: Top, rng: np.random.Generator) -> dict[str, float]:
     p = {
         "v": float(v),
         "w": float(w),
-        "a": _place(top.move, float(v), float(END[top.move] * at)) + float(off * w),
+        "a": place(top.move, float(v), float(END[top.move] * at)) + float(off * w),
         "s": float(rng.choice([1e-9, 0.5]) * rng.uniform(0.1, 1)),
         "e": float(10 ** rng.uniform(-4, 0)),
     }
