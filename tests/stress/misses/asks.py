@@ -69,6 +69,7 @@ BESIDE = 4e-15  # m or rad: so far from a jump doubles tell its two sides
 GRID = 3001  # places of the whole run
 HALVINGS = 80  # of the way between two places: down to neighbours
 CLOSE = 1e-2  # so near to the best of the places a top may be the best one
+APART = 1e-6  # of a width: a smooth top is flat to rounding over less
 NEAR = 1e-3  # more than a top is above its best place: a count that changes with the level by so much is open
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -157,12 +158,16 @@ def _greatest(ask: Ask, p: Mapping[str, float], x: Array, g: Array, sign: int) -
     top = np.append(True, up > 0) & np.append(up <= 0, True)
     k = np.flatnonzero(top & (sign * g >= (sign * g).max() - CLOSE))
     best = float((sign * g).max())
-    low, high = x[np.maximum(k - 1, 0)], x[np.minimum(k + 1, len(x) - 1)]
+    # Places by a corner are so near that rounding makes tops of its own among them: wider ways, too.
+    reach = np.array([0.0, x[-1], *(p[f"w{i}"] for i in range(len(ask.features)))])[:, None] * APART
+    before = np.searchsorted(x, x[k] - reach) - 1
+    after = np.searchsorted(x, x[k] + reach, side="right")
+    low, high = x[np.maximum(before, 0)].ravel(), x[np.minimum(after, len(x) - 1)].ravel()
     for _ in range(8):
         s = np.linspace(low, high, 21)
         h = sign * ask.value(p, s)
         best = max(best, float(h.max()))
-        j, column = h.argmax(axis=0), np.arange(len(k))
+        j, column = h.argmax(axis=0), np.arange(len(low))
         low, high = s[np.maximum(j - 1, 0), column], s[np.minimum(j + 1, 20), column]
     return sign * best
 
