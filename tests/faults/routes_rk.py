@@ -85,12 +85,6 @@ FAULTS = [
         "return INFINITY;",
     ),
     Fault(
-        "batch: a step size from the case before",
-        "routes/rk/route_rk.c",
-        "if (w->result.count[PM_COUNT_STEPS] == 0 || w->state.t > r->end) r->next = 0",
-        "(void)0",
-    ),
-    Fault(
         "rk: windows of a step change what the next one integrates",
         "routes/rk/route_rk.c",
         "r->ledger = r->next_ledger;",

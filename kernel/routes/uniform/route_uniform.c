@@ -342,6 +342,6 @@ const pm_route_ops pm_route_uniform = {
     .in_time = 1,
     .price = 1,
     .finest = PM_UNIFORM_FINEST, /* no tolerance enters; as of routes that may take other phases of the run */
-    .spread = 23,
+    .spread = 24,
     .nodes = &pm_chebyshev_nodes_equal,
 };
