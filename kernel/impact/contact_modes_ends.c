@@ -87,11 +87,11 @@ static int goes_over_end(pm_workspace *w, int slot)
 int pm_contact_modes_leave_end(pm_workspace *w, int *left)
 {
     *left = 0;
-    for (int i = 0; i < w->model->nslot && !w->active.clear && !*left; i++) {
+    for (int i = 0; i < w->model->nslot; i++) {
         if (!pair_is_in_doubt(w, i) || !goes_over_end(w, i)) continue;
         const int status = pm_contact_modes_pass_end(w, i);
-        if (status) return status;
-        *left = 1;
+        *left = !status;
+        return status;
     }
     return PM_OK;
 }

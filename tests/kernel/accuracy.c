@@ -73,18 +73,6 @@ static void switched_off(void)
     scene_free(t);
 }
 
-/* A double pendulum of two equal rods; the lower one. */
-static int hang_two_rods(scene *s, double upper_angle, double lower_angle)
-{
-    const double elbow[] = {cos(upper_angle), sin(upper_angle)},
-                 half[] = {0.5 * cos(lower_angle), 0.5 * sin(lower_angle)};
-    const int upper = scene_body(s, 1, 1. / 12, 0.5 * elbow[0], 0.5 * elbow[1], upper_angle),
-              lower = scene_body(s, 1, 1. / 12, elbow[0] + half[0], elbow[1] + half[1], lower_angle);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, upper, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, upper, 0.5, 0), scene_point(s, lower, -0.5, 0), 0);
-    return lower;
-}
-
 /* A double pendulum multiplies errors: the accuracy asked takes a tighter tolerance, and is kept. */
 static void promise(void)
 {

@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include "check.h"
+#include "estimating.h"
 #include "scene.h"
 
 #define CASES 48
@@ -51,10 +52,7 @@ static scene *struck_chain(void)
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
     const int mass = scene_parameter(s), speed = scene_parameter(s);
-    const int upper = scene_body(s, 1, 1. / 12, 0, -0.5, -M_PI / 2),
-              lower = scene_body(s, 1, 1. / 12, 0, -1.5, -M_PI / 2);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, upper, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, upper, 0.5, 0), scene_point(s, lower, -0.5, 0), 0);
+    const int lower = hang_two_rods(s, -M_PI / 2, -M_PI / 2), upper = lower - 1;
     const int ball = scene_body(s, 1, 0, -1, -1.2, 0), centre = scene_point(s, ball, 0, 0);
     scene_cell(s, PM_TABLE_BODY, ball, PM_BODY_MASS, mass);
     scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, centre, 0.05),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,29 +18,28 @@ from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT
 CASES = 60
 
 
+def words_of(kind: Any, seeds: int, n: int) -> Counter[str]:
+    """What became of n cases of each of the first seeds."""
+    return Counter(word for seed in range(seeds) for word in kind.table(seed, n)[1])
+
+
 @pytest.mark.parametrize("kind", [pulses, waves])
 def test_nothing_short_is_missed(kind: object) -> None:
-    found: Counter[str] = Counter()
-    for seed in range(8):
-        found.update(kind.table(seed, CASES)[1])  # type: ignore[attr-defined]
+    found = words_of(kind, 8, CASES)
     assert found[MISSED] == found[BEYOND] == 0
     assert found[RIGHT] > 0.85 * 8 * CASES
 
 
 def test_no_peak_with_corners_is_missed() -> None:
     """Extremes and counts of expressions with abs, min, max, floor and comparisons, beside their pieces."""
-    found: Counter[str] = Counter()
-    for seed in range(60):
-        found.update(peaks.table(seed, 2)[1])
+    found = words_of(peaks, 60, 2)
     assert found[MISSED] == found[BEYOND] == 0
     assert found[RIGHT] > 0.95 * 120
 
 
 def test_asks_of_narrow_features_are_right() -> None:
     """Counts, extremes and integrals of features behind max, min, abs, a gate, a square or exp."""
-    found: Counter[str] = Counter()
-    for seed in range(20):
-        found.update(asks.table(seed, 3)[1])
+    found = words_of(asks, 20, 3)
     assert found[MISSED] == found[BEYOND] == 0
     assert found[RIGHT] > 0.95 * 60
 
