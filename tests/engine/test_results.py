@@ -97,9 +97,11 @@ solve.max_steps = 20000
 """
 
 
-def test_a_swing_without_end_whose_time_nobody_asks_reaches_the_limit_of_its_steps() -> None:
+def test_a_swing_without_end_whose_time_nobody_asks_is_seen_to_repeat() -> None:
     """Its turning points are instants at one time only for who keeps none."""
-    assert load_text(SWINGS).run().status == "limit_steps"
+    result = load_text(SWINGS).run()
+    assert result.status == "limit_time"
+    assert "the motion repeats itself, and nothing ends it" in result.error
 
 
 # A ball that is thrown up to just where it touches nothing: whether it gets there is a matter of rounding.

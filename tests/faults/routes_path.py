@@ -213,7 +213,25 @@ FAULTS = [
         "rest: no firing that is asked keeps from passing over",
         "routes/path/repeat_limit.c",
         "case PM_ASK_EACH: return firings_allow(&w->firing, l, e);",
-        "case PM_ASK_EACH: return l->steady ? PM_MOST_REPEATS : firings_allow(&w->firing, l, e);",
+        "case PM_ASK_EACH: return l->steady ? PM_REPEAT_FOR_EVER : firings_allow(&w->firing, l, e);",
+    ),
+    Fault(
+        "rest: a swing that never ends is passed over again and again",
+        "routes/path/repeat_rest.c",
+        "if (most == PM_REPEAT_FOR_EVER) return pm_repeat_limit_never(w)",
+        "if (most == 77) return pm_repeat_limit_never(w)",
+    ),
+    Fault(
+        "segment: a turn that never ends is passed over again and again",
+        "routes/path/repeat.c",
+        "if (steady && most == PM_REPEAT_FOR_EVER)",
+        "if (0 && most == PM_REPEAT_FOR_EVER)",
+    ),
+    Fault(
+        "segment: what is far away never comes",
+        "routes/path/repeat_limit.c",
+        "if (high < 0 && change < 0) return PM_REPEAT_FOR_EVER;",
+        "if (high < 0) return PM_REPEAT_FOR_EVER;",
     ),
     Fault(
         "segment: forces in later ones are not looked at",
@@ -248,8 +266,8 @@ FAULTS = [
     Fault(
         "segment: a grid is left out",
         "routes/path/repeat_limit.c",
-        "return grid_is_full(w->ask, e) ? PM_MOST_REPEATS : 0",
-        "return (void)grid_is_full, PM_MOST_REPEATS",
+        "return grid_is_full(w->ask, e) ? PM_REPEAT_FOR_EVER : 0",
+        "return (void)grid_is_full, PM_REPEAT_FOR_EVER",
     ),
     Fault(
         "segment: anchors stay behind",

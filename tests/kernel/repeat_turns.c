@@ -1,4 +1,4 @@
-/* Turns that repeat: until a time, and of a wheel that rolls downhill. */
+/* Turns and swings that repeat: until a time, of a wheel that rolls downhill, and for ever. */
 #include "check.h"
 #include "scene.h"
 
@@ -84,9 +84,54 @@ static void wheel_downhill(void)
     scene_free(s);
 }
 
+/* ---- for ever ---- */
+/* A rod on a pin at its end, below which it hangs with `turned` = 0, begins at this angle and angular velocity. */
+static scene *rod_on_pin(double angle, double omega, int *measure)
+{
+    const double l = 0.8, m = 1.5;
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_AUTO;
+    *scene_setting(s, PM_SETTING_MAX_TIME) = PM_NONE;
+    const int rod =
+        scene_body(s, m, m * l * l / 12, 0.5 * l * sin(angle), -0.5 * l * cos(angle), angle - 0.5 * PI);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5 * l, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    scene_start_omega(s, rod, omega);
+    measure[0] = scene_measure(s, PM_MEASURE_ANGLE, rod);
+    measure[1] = scene_measure(s, PM_MEASURE_OMEGA, rod);
+    return s;
+}
+
+/* A swing that begins at rest or in motion, and turns, until an angle or an angular velocity that never comes: the run ends
+ * when the motion repeats.  What comes after 30 million turns is waited for. */
+static void until_what_never_comes(void)
+{
+    static const struct {
+        double angle, omega, bound;
+        int of, status;
+    } run[] = {
+        {1, 0, PI / 2, 0, PM_LIMIT_TIME},    {0.4, 2, PI / 2, 0, PM_LIMIT_TIME},
+        {1, 0, 5, 1, PM_LIMIT_TIME},         {0.4, 12, 15, 1, PM_LIMIT_TIME},
+        {0.4, -12, 1, 0, PM_LIMIT_TIME},     {1, 0, 0.99 - PI / 2, 0, PM_OK},
+        {0.4, 12, 6e7 * PI + 1.5, 0, PM_OK},
+    };
+    for (size_t i = 0; i < sizeof run / sizeof run[0]; i++) {
+        int measure[2];
+        scene *s = rod_on_pin(run[i].angle, run[i].omega, measure);
+        const int kind = run[i].status == PM_OK && run[i].omega == 0 ? PM_TRIGGER_FALL : PM_TRIGGER_RISE;
+        const int of = measure[run[i].of];
+        const double shift = run[i].of == 0 ? PI / 2 : 0; /* a rod's own angle is from its axis */
+        scene_until(s, scene_when(s, kind, scene_minus(s, of, run[i].bound - shift)), 1);
+        EQUAL(scene_run(s, NULL), run[i].status);
+        CHECK(s->count[PM_COUNT_STEPS] < 20);
+        if (run[i].status == PM_LIMIT_TIME) EQUAL(s->detail[0], INFINITY);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     turns_until_a_time();
+    until_what_never_comes();
     wheel_downhill();
     return check_failures();
 }

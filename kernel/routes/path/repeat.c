@@ -74,6 +74,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     l->ratio = steady ? 1 : kinetic / l->before;
     const double time = in_time ? w->state.t - l->begin.t : 0;
     const int64_t most = pm_repeat_limit(w, l, &shift, time);
+    if (steady && most == PM_REPEAT_FOR_EVER) return pm_repeat_limit_never(w);
     w->path->repeats = !w->phase.lap && l->steps == 1;
     pm_repeats segments = pm_repeat_energy_over_barrier(l, kinetic, most, w->path->error);
     int found = 0, status = PM_OK;

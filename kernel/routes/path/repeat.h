@@ -55,7 +55,11 @@ typedef struct pm_repeats {
  * member lead there from the begin of that. */
 int pm_repeat_match(pm_workspace *w, double kinetic);
 
-/* repeat_limit.c: how many segments like the last one (l) from w->state on triggers, asks and limits allow to pass over; time: s, of each, or 0. */
+/* Segments that nothing ever ends. */
+#define PM_REPEAT_FOR_EVER INT64_MAX
+
+/* repeat_limit.c: how many segments like the last one (l) from w->state on triggers, asks and limits allow to pass over; time: s, of each, or 0.
+ * PM_REPEAT_FOR_EVER: if they are all alike, the run does not end. */
 int64_t pm_repeat_limit(pm_workspace *w, const pm_repeat *l, const pm_symmetry_shift *shift, double time);
 /* The zero of a trigger goes with T. */
 int pm_repeat_limit_moves(const pm_model *model, int trigger);
@@ -65,6 +69,9 @@ int pm_repeat_limit_read_sides(pm_workspace *w);
 int64_t pm_repeat_limit_instants(const pm_workspace *w, const pm_repeat *l);
 /* How often an event has fired since the begin of the last segment. */
 int64_t pm_repeat_limit_fires(const pm_firing *firing, const pm_repeat *repeat, int event);
+
+/* The status of a run that does not end. */
+int pm_repeat_limit_never(pm_workspace *w);
 
 /* repeat_energy.c: the work on the segment that ended at w->state, J. */
 double pm_repeat_energy_work(const pm_workspace *w);

@@ -47,6 +47,7 @@ pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64
     const double depth = pm_repeat_energy_depth(l);
     const double near = PM_REPEAT_BARRIER * fmax(l->kinetic, fabs(depth));
     if (!(begin - depth > near)) return c;
+    if (most > PM_MOST_REPEATS) most = PM_MOST_REPEATS;
     while (c.n < most) {
         const double t = c.kinetic, next = l->ratio * (t + l->work);
         if (!(next - depth > near)) {

@@ -15,30 +15,31 @@
 #include "routes/path/repeat.h"
 #include "state/workspace.h"
 
-/* `segments`, but no less than none and no more than `most`. */
+static int64_t fewest(int64_t a, int64_t b) { return a < b ? a : b; }
+
+/* `segments`, but no less than none, and no more than `most` or than are passed over at once. */
 static int64_t at_most(int64_t most, double segments)
 {
-    return segments < (double)most ? (int64_t)fmax(segments, 0) : most;
+    const int64_t bound = fewest(most, PM_MOST_REPEATS);
+    return segments < (double)bound ? (int64_t)fmax(segments, 0) : bound;
 }
-
-static int64_t fewest(int64_t a, int64_t b) { return a < b ? a : b; }
 
 /* ---- triggers ---- */
 /* A trigger that moves with the segments towards its zero must stay off it. */
 static int64_t until_zero(const struct pm_event_set *event, int trigger, double change)
 {
     const double low = event->least[trigger], high = event->greatest[trigger], spread = high - low;
-    if (low > 0 && change > 0) return PM_MOST_REPEATS;
-    if (high < 0 && change < 0) return PM_MOST_REPEATS;
+    if (low > 0 && change > 0) return PM_REPEAT_FOR_EVER;
+    if (high < 0 && change < 0) return PM_REPEAT_FOR_EVER;
     const double room = low > 0 ? low : high < 0 ? -high : 0;
-    return at_most(PM_MOST_REPEATS, floor((room - spread) / fabs(change)) - 1);
+    return at_most(PM_REPEAT_FOR_EVER, floor((room - spread) / fabs(change)) - 1);
 }
 
 static int64_t time_allows(pm_workspace *w, int trigger, double time)
 {
     const double due = pm_trigger_due(w, trigger);
-    if (!isfinite(due)) return PM_MOST_REPEATS;
-    return time > 0 ? at_most(PM_MOST_REPEATS, floor((due - w->state.t) / time) - 1) : 0;
+    if (!isfinite(due)) return PM_REPEAT_FOR_EVER;
+    return time > 0 ? at_most(PM_REPEAT_FOR_EVER, floor((due - w->state.t) / time) - 1) : 0;
 }
 
 static int64_t trigger_allows(pm_workspace *w, const pm_repeat *l, int trigger,
@@ -47,19 +48,19 @@ static int64_t trigger_allows(pm_workspace *w, const pm_repeat *l, int trigger,
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
     const int kind = e[PM_TRIGGER_KIND];
     double change;
-    if (kind > PM_TRIGGER_EVERY) return PM_MOST_REPEATS;
+    if (kind > PM_TRIGGER_EVERY) return PM_REPEAT_FOR_EVER;
     if (pm_trigger_on_time(w->model, trigger)) return time_allows(w, trigger, time);
     const int growth = w->model->programs.energy[e[PM_TRIGGER_PROGRAM]];
     if (!pm_symmetry_program(&w->frame, shift, e[PM_TRIGGER_PROGRAM], &change)) return 0;
     if (kind == PM_TRIGGER_EVERY)
         return growth != PM_ENERGY_CLASS_NONE || fabs(change - round(change)) > PM_REPEAT_WHOLE
                    ? 0
-                   : PM_MOST_REPEATS;
+                   : PM_REPEAT_FOR_EVER;
     if (change != 0) return growth != PM_ENERGY_CLASS_NONE ? 0 : until_zero(w->event, trigger, change);
-    if (l->steady) return PM_MOST_REPEATS; /* it fires as it did */
-    if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_MOST_REPEATS;
+    if (l->steady) return PM_REPEAT_FOR_EVER; /* it fires as it did */
+    if (growth <= PM_ENERGY_CLASS_ROOT && growth != PM_ENERGY_CLASS_LINEAR) return PM_REPEAT_FOR_EVER;
     /* its zero moves with T: it must stay off it, here and in the last segment (repeat_replay.c) */
-    return growth > PM_ENERGY_CLASS_STEADY || l->side[trigger] == 0 ? 0 : PM_MOST_REPEATS;
+    return growth > PM_ENERGY_CLASS_STEADY || l->side[trigger] == 0 ? 0 : PM_REPEAT_FOR_EVER;
 }
 
 int pm_repeat_limit_moves(const pm_model *model, int trigger)
@@ -108,8 +109,9 @@ static int64_t firings_allow(const pm_firing *firing, const struct pm_repeat *re
     const int event = e[PM_ASK_EVENT_INDEX], each_is_asked = e[PM_ASK_KIND] == PM_ASK_EACH;
     const int64_t last = each_is_asked ? e[PM_ASK_COUNT] : e[PM_ASK_NTH],
                   each = pm_repeat_limit_fires(firing, repeat, event);
-    if (each == 0 || firing->count[event] >= last) return PM_MOST_REPEATS;
-    return each_is_asked ? 0 : at_most(PM_MOST_REPEATS, (double)((last - 1 - firing->count[event]) / each));
+    if (each == 0 || firing->count[event] >= last) return PM_REPEAT_FOR_EVER;
+    return each_is_asked ? 0
+                         : at_most(PM_REPEAT_FOR_EVER, (double)((last - 1 - firing->count[event]) / each));
 }
 
 static int64_t extreme_allows(const pm_frame *frame, const pm_repeat *l, const int32_t *e,
@@ -118,20 +120,20 @@ static int64_t extreme_allows(const pm_frame *frame, const pm_repeat *l, const i
     const int growth = frame->model->programs.energy[pm_ask_program(e)];
     double change;
     if (!pm_symmetry_program(frame, shift, pm_ask_program(e), &change)) return 0;
-    if (change == 0 && l->steady) return PM_MOST_REPEATS;
+    if (change == 0 && l->steady) return PM_REPEAT_FOR_EVER;
     if (change != 0 && growth != PM_ENERGY_CLASS_NONE) return 0; /* both change: neither end is the extreme */
     const int bends_well = growth == (pm_ask_greatest(e) ? PM_ENERGY_CLASS_CONVEX : PM_ENERGY_CLASS_CONCAVE);
-    return growth > PM_ENERGY_CLASS_STEADY && !bends_well ? 0 : PM_MOST_REPEATS;
+    return growth > PM_ENERGY_CLASS_STEADY && !bends_well ? 0 : PM_REPEAT_FOR_EVER;
 }
 
 static int64_t ask_allows(const pm_workspace *w, const pm_repeat *l, const int32_t *e,
                           const pm_symmetry_shift *shift)
 {
     switch (e[PM_ASK_KIND]) {
-    case PM_ASK_END: return PM_MOST_REPEATS;
+    case PM_ASK_END: return PM_REPEAT_FOR_EVER;
     case PM_ASK_EVENT:
     case PM_ASK_EACH: return firings_allow(&w->firing, l, e);
-    case PM_ASK_GRID: return grid_is_full(w->ask, e) ? PM_MOST_REPEATS : 0;
+    case PM_ASK_GRID: return grid_is_full(w->ask, e) ? PM_REPEAT_FOR_EVER : 0;
     default: return extreme_allows(&w->frame, l, e, shift);
     }
 }
@@ -143,7 +145,8 @@ static int64_t limits_allow(const pm_workspace *w, const pm_repeat *l, double ti
     const int64_t events = pm_repeat_limit_instants(w, l);
     const double left = PM_SETTING(m, PM_SETTING_MAX_EVENTS) - (double)w->result.count[PM_COUNT_EVENTS];
     const double room = pm_case_max_time(w->model, &w->numbers) - w->state.t;
-    int64_t most = events > 0 ? at_most(PM_MOST_REPEATS, floor(left / (double)events) - 1) : PM_MOST_REPEATS;
+    int64_t most = PM_REPEAT_FOR_EVER;
+    if (events > 0) most = at_most(most, floor(left / (double)events) - 1);
     /* the last segment but one is computed, too: the run may end within the last one */
     if (time > 0 && room < INFINITY) most = at_most(most, floor(room / time) - 1);
     for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
@@ -164,4 +167,10 @@ int64_t pm_repeat_limit(pm_workspace *w, const pm_repeat *l, const pm_symmetry_s
     for (int i = 0; i < m->nask && most > 0; i++)
         most = fewest(most, ask_allows(w, l, PM_ASK_ROW(m, i), shift));
     return most;
+}
+
+int pm_repeat_limit_never(pm_workspace *w)
+{
+    const double max_time = pm_case_max_time(w->model, &w->numbers);
+    return pm_fail(&w->result, PM_LIMIT_TIME, PM_TABLE_SETTING, 0, INFINITY, max_time);
 }

@@ -98,12 +98,14 @@ static int pass(pm_workspace *w, int *passed)
     const pm_symmetry_shift none = {{0, 0}, rest->period.rotation};
     const double time =
         w->model->programs.read_time ? w->state.t - rest->period.begin.t + (p->clock.late - rest->late) : 0;
-    const double n = (double)pm_repeat_limit(w, &rest->period, &none, time);
-    if (n < 1) return PM_OK;
+    const int64_t most = pm_repeat_limit(w, &rest->period, &none, time);
+    const double n = (double)most;
+    if (most == PM_REPEAT_FOR_EVER) return pm_repeat_limit_never(w);
+    if (most < 1) return PM_OK;
     *passed = 1;
     p->clock.unresolved += n * (p->clock.unresolved - rest->unresolved);
     p->clock.error += n * (p->clock.error - rest->clock);
-    const pm_repeats periods = {.n = (int64_t)n, .error = p->error};
+    const pm_repeats periods = {.n = most, .error = p->error};
     return pm_repeat_pass(w, &rest->period, &periods, 0, time);
 }
 

@@ -237,6 +237,8 @@ def _alternates(place: str, found: float, bound: float) -> str:
 _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_TIME: lambda place, found, bound: (
         f"until: not reached within solve.max_time ({bound:g} s)"
+        if math.isfinite(found)
+        else "until: never reached; the motion repeats itself, and nothing ends it"
     ),
     layout.PM_LIMIT_EVENTS: lambda place, found, bound: (
         f"until: not reached within solve.max_events ({found:.0f})"
