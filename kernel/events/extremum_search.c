@@ -48,6 +48,25 @@ static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, doubl
                                p->sign * h * pm_ask_along(w, t, &rate)};
 }
 
+/* Where something is asked at the extreme the place matters, not the value: t, where the rate by five values is zero, is put
+ * right by a step of Newton's method with the rate by nine. */
+static double put_right(pm_workspace *w, const pm_extremum *p, double t)
+{
+    static const double weight[] = {672.0 / 840, -168.0 / 840, 32.0 / 840, -3.0 / 840};
+    const pm_step *step = &w->step;
+    pm_ask_watch x = watch_of(w, p, 0);
+    const double d = PM_EXTREMUM_RATE_STEP * (step->end - step->begin), here = pm_ask_along(w, t, &x);
+    double rate = 0, bend = 0;
+    if (t - 4 * d < step->begin || t + 4 * d > step->sampled_end) return t;
+    for (int k = 1; k <= 4; k++) {
+        const double before = pm_ask_along(w, t - k * d, &x), after = pm_ask_along(w, t + k * d, &x);
+        rate += weight[k - 1] * (after - before);
+        bend += (after - here - (here - before)) / (4.0 * k * k);
+    }
+    const double shift = -d * rate / bend;
+    return fabs(shift) < d ? t + shift : t;
+}
+
 /* The root of the rate. */
 static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
                        const pm_extremum_slope *b)
@@ -56,9 +75,8 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
     const double bend = (b->rate - a->rate) / (b->s - a->s);
     const double near = pm_extremum_hidden_cubic(a, b);
     double s = isnan(near) ? a->s - a->rate / bend : near, t;
-    const int climbs =
-        !pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask)) && /* there the place matters, not the value */
-        climb(w, p, bend, a->s, b->s, &s);
+    const int place_matters = pm_ask_at_extreme(PM_ASK_ROW(w->model, p->ask));
+    const int climbs = !place_matters && climb(w, p, bend, a->s, b->s, &s);
     t = pm_extremum_place(&w->step, s);
     const double unit =
         p->sign / (w->step.sampled_end - w->step.begin); /* the rate in time, of the value as it is */
@@ -72,7 +90,7 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
     }
     const int status = pm_fail_search(&w->result, end);
     if (status) return status;
-    return pm_extremum_offer_at(w, p, t);
+    return pm_extremum_offer_at(w, p, place_matters ? put_right(w, p, t) : t);
 }
 
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)

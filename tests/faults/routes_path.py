@@ -266,8 +266,8 @@ FAULTS = [
     Fault(
         "segment: a grid is left out",
         "routes/path/repeat_limit.c",
-        "return grid_is_full(w->ask, e) ? PM_REPEAT_FOR_EVER : 0",
-        "return (void)grid_is_full, PM_REPEAT_FOR_EVER",
+        "return alike && change == 0 ? PM_REPEAT_FOR_EVER : 0",
+        "return alike, PM_REPEAT_FOR_EVER",
     ),
     Fault(
         "segment: anchors stay behind",

@@ -14,6 +14,7 @@
 
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
+#include "events/ask.h"
 #include "events/event.h"
 #include "expression/program.h"
 #include "expression/program_class.h"
@@ -280,10 +281,20 @@ static double error_of_motion(pm_workspace *w, int program, double value)
                : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * error_of_kinetic(w->path, kinetic);
 }
 
+/* Asked where another value has its extreme, or one of a list, and that goes with T: what T and rounding make of the place the
+ * run does not tell. */
+static int is_at_other(const pm_model *m, int ask)
+{
+    const int32_t *row = PM_ASK_ROW(m, ask);
+    if (pm_ask_at_extreme(row)) return 1;
+    return row[PM_ASK_KIND] == PM_ASK_GRID &&
+           m->programs.energy[row[PM_ASK_PROGRAM_2]] != PM_ENERGY_CLASS_NONE;
+}
+
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_model *m = w->model;
-    if (!w->evidence.active || !w->evidence.by_places ||
+    if (is_at_other(m, ask) || !w->evidence.active || !w->evidence.by_places ||
         w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
         return;
     double error;

@@ -103,6 +103,16 @@ static int grid_is_full(const struct pm_ask_set *ask, const int32_t *e)
     return 1;
 }
 
+/* All values of the grid are there, or what it watches goes the same way again and meets no other. */
+static int64_t grid_allows(const pm_workspace *w, const pm_repeat *l, const int32_t *e,
+                           const pm_symmetry_shift *shift)
+{
+    double change;
+    if (grid_is_full(w->ask, e)) return PM_REPEAT_FOR_EVER;
+    const int alike = l->steady && pm_symmetry_program(&w->frame, shift, pm_ask_program(e), &change);
+    return alike && change == 0 ? PM_REPEAT_FOR_EVER : 0;
+}
+
 /* Firings up to the last one that is asked. */
 static int64_t firings_allow(const pm_firing *firing, const struct pm_repeat *repeat, const int32_t *e)
 {
@@ -133,7 +143,7 @@ static int64_t ask_allows(const pm_workspace *w, const pm_repeat *l, const int32
     case PM_ASK_END: return PM_REPEAT_FOR_EVER;
     case PM_ASK_EVENT:
     case PM_ASK_EACH: return firings_allow(&w->firing, l, e);
-    case PM_ASK_GRID: return grid_is_full(w->ask, e) ? PM_REPEAT_FOR_EVER : 0;
+    case PM_ASK_GRID: return grid_allows(w, l, e, shift);
     default: return extreme_allows(&w->frame, l, e, shift);
     }
 }
