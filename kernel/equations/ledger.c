@@ -141,6 +141,14 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
     add_constraints(&w->frame, &w->active, w->frame.lambda, outer);
 }
 
+int pm_ledger_rests(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const double *g = w->numbers.gravity;
+    return m->nz_controlled == 0 && m->rows[PM_TABLE_FORCE] == 0 && !pm_turning_plane_turns(m) &&
+           w->active.n == 0 && g[0] == 0 && g[1] == 0;
+}
+
 static double energy(pm_workspace *w)
 {
     return pm_frame_kinetic(&w->frame, PM_NONE) + pm_turning_plane_kinetic(&w->frame, PM_NONE) +

@@ -57,7 +57,9 @@ typedef struct pm_uniform {
     /* integrals */
     double *rate;            /* [3][nz] at begin, middle and end */
     double *z0;              /* [nz] at the begin of the step */
+    int rests;               /* nothing acts: none of them changes in the phase */
     double *v_look, *q_look; /* [nq] of the place that is looked at */
+    double looked;           /* its time by pm_uniform_look; NaN: it is another place */
     pm_series series;
 } pm_uniform;
 

@@ -177,6 +177,7 @@ static int fires_alike(pm_workspace *w, const pm_rest *r, int trigger, const pm_
     pm_uniform *u = w->uniform;
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
     end_of_series(u, w->model->nq, r, u->q_look, u->v_look);
+    u->looked = NAN;
     pm_frame_look(&w->frame, u->t0 + r->time, u->q_look, u->v_look, w->state.z, w->state.memory);
     const double p = pm_trigger_program(w, trigger);
     const double off = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY ? p - round(p) : p;
@@ -288,9 +289,10 @@ static int others_stay_open(pm_workspace *w, const pm_rest *r)
 
 static double slip_with(pm_workspace *w, int slot, double t, double factor)
 {
-    const pm_uniform *u = w->uniform;
+    pm_uniform *u = w->uniform;
     const int contact = pm_contact_of_slot(w->model, slot);
     pm_uniform_look(w, t);
+    u->looked = NAN; /* other velocities */
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] += factor * u->series.change[i];
     return pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
 }
@@ -373,6 +375,7 @@ static void add_blows(pm_workspace *w, const pm_rest *r, const double *q_end, co
         u->q_look[i] = q_end[i] + (linear * square + quadratic * cube) / sum;
         u->v_look[i] = v_end[i] - (at + 0.5 * d * (1 + e) / (1 - e)) * e / (1 + e);
     }
+    u->looked = NAN;
     pm_frame_look(&w->frame, u->t0, u->q_look, u->v_look, w->state.z, w->state.memory);
     pm_ledger_series(w, sum);
 }
