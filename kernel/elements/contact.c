@@ -70,6 +70,11 @@ double pm_contact_stiffness(const pm_frame *frame, int contact)
     return index == PM_NONE ? 0 : frame->numbers->value[index];
 }
 
+int pm_contact_is_single(const pm_model *m, int contact)
+{
+    return !pm_contact_is_pattern(m, contact) && !pm_contact_curve_is(m, contact) && !pm_edge_is(m, contact);
+}
+
 int pm_contact_law(const pm_model *m, int contact) { return PM_CONTACT_ROW(m, contact)[PM_CONTACT_LAW]; }
 
 int pm_contact_friction(const pm_model *m, int contact)

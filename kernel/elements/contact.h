@@ -59,6 +59,8 @@ double pm_contact_stiffness(const pm_frame *frame, int contact);
 int pm_contact_law(const pm_model *m, int contact); /* enum pm_law */
 int pm_contact_friction(const pm_model *m, int contact);
 int pm_contact_is_pattern(const pm_model *m, int contact);
+/* It has one member, 0, that closes and opens as a whole: no pattern, edge or curve. */
+int pm_contact_is_single(const pm_model *m, int contact);
 int pm_contact_is_cord(const pm_model *m, int contact);
 /* A cord over a rim that it may slip on.  Its coefficients are those of the cord: friction over mean tension. */
 int pm_contact_has_rim(const pm_model *m, int contact);
