@@ -24,6 +24,7 @@ typedef struct pm_impact_given {
 typedef struct pm_blow {
     unsigned char *share; /* [nslot] enum pm_share */
     unsigned char *held;  /* [nslot] closed after the blow, whatever it would do */
+    unsigned char *apart; /* [ncontact] open, and found not to touch where the blow happens */
     int32_t *resting;     /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
     int32_t *trial;       /* [nslot] enum pm_contact_mode in the blow of what takes part */
     double *before;       /* [nq] velocities before the blow, m/s and rad/s */
