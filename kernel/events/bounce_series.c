@@ -49,6 +49,7 @@ int pm_bounce_series_create(pm_workspace *w)
         PM_ARRAY(e->body, (PM_REFERENCES + 1) * n),
         PM_ARRAY(e->beside_struck, n),
         PM_ARRAY(e->ordered, n),
+        PM_ARRAY(e->next, n),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     for (int i = 0; i < n && !status; i++) list_bodies(w->model, i, e->body + (PM_REFERENCES + 1) * i);
@@ -98,22 +99,24 @@ typedef struct pm_blow_order {
     double time[PM_SERIES_BLOWS];
 } pm_blow_order;
 
+/* The latest blow of a contact that is not in its order yet; -INFINITY: there is none. */
+static double next_of(const pm_event_set *e, int i)
+{
+    const pm_bounce_series *s = &e->series[e->beside_struck[i]];
+    return e->ordered[i] < s->known ? s->struck[e->ordered[i]] : -INFINITY;
+}
+
 /* Those of one instant are entered in the order of the contacts: the latest is the last of them. */
 static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
 {
-    int latest = PM_NONE;
-    double time = -INFINITY;
-    for (int i = 0; i < near; i++) {
-        const pm_bounce_series *s = &e->series[e->beside_struck[i]];
-        const int k = e->ordered[i];
-        if (k >= s->known || s->struck[k] < time) continue;
-        latest = i;
-        time = s->struck[k];
-    }
-    if (latest == PM_NONE) return 0;
-    e->ordered[latest]++;
+    int latest = 0;
+    for (int i = 1; i < near; i++)
+        if (e->next[i] >= e->next[latest]) latest = i;
+    if (e->next[latest] == -INFINITY) return 0;
     x->contact[x->n] = e->beside_struck[latest];
-    x->time[x->n++] = time;
+    x->time[x->n++] = e->next[latest];
+    e->ordered[latest]++;
+    e->next[latest] = next_of(e, latest);
     return 1;
 }
 
@@ -134,17 +137,24 @@ static double may_be_off(const pm_workspace *w, double ratio)
     return fmin(earlier * PM_SERIES_SETTLED, PM_SERIES_NEARLY) * ratio * (1 - ratio);
 }
 
+/* The last n blows were of the same contacts as those k before them. */
+static int comes_again(const pm_blow_order *x, int k, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (x->contact[i] != x->contact[i + k]) return 0;
+    return 1;
+}
+
 /* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
 static double ratio_of_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
 {
+    if (!comes_again(x, k, k + 1)) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
     if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED)) return 0;
     const double share = may_be_off(w, ratio);
-    for (int i = 0; i <= k; i++) {
-        if (x->contact[i] != x->contact[i + k]) return 0;
+    for (int i = 0; i <= k; i++)
         if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))
             return 0;
-    }
     return ratio;
 }
 
@@ -179,14 +189,12 @@ static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k,
  * which shows how far it is known.  -INFINITY if not. */
 static double end_by_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
 {
-    if (x->n < 3 * k + 1) return -INFINITY;
+    if (x->n < 3 * k + 1 || !comes_again(x, k, 2 * k)) return -INFINITY;
     const double last = x->time[0] - x->time[k], before = x->time[k] - x->time[2 * k];
     const double ratio = last / before, earlier = before / (x->time[2 * k] - x->time[3 * k]);
     if (!(ratio > 0 && fmax(ratio, earlier) < 1 &&
           fabs(ratio - earlier) < PM_SERIES_NEARLY * ratio * (1 - ratio)))
         return -INFINITY;
-    for (int i = 0; i < 2 * k; i++)
-        if (x->contact[i] != x->contact[i + k]) return -INFINITY;
     const double used = w->numbers.coarse > 1 ? earlier : ratio;
     return x->time[0] + last * used / (1 - used);
 }
@@ -194,11 +202,11 @@ static double end_by_cycles(const pm_workspace *w, const pm_blow_order *x, int k
 /* What touches now may only seem to: the blows before this instant tell. */
 static double expect_end(const pm_workspace *w, pm_blow_order *x)
 {
-    while (x->n > 0 && x->time[0] == w->state.t) {
-        x->n--;
-        memmove(x->time, x->time + 1, (size_t)x->n * sizeof *x->time);
-        memmove(x->contact, x->contact + 1, (size_t)x->n * sizeof *x->contact);
-    }
+    int now = 0;
+    while (now < x->n && x->time[now] == w->state.t) now++;
+    x->n -= now;
+    memmove(x->time, x->time + now, (size_t)x->n * sizeof *x->time);
+    memmove(x->contact, x->contact + now, (size_t)x->n * sizeof *x->contact);
     double end = -INFINITY;
     for (int k = 2; end == -INFINITY && 3 * k + 1 <= x->n; k++) end = end_by_cycles(w, x, k);
     return end;
@@ -219,7 +227,10 @@ static void look_for_cycles(const pm_workspace *w, int near, int contact)
     pm_blow_order x;
     double ratio = 0;
     int k = x.n = 0;
-    memset(w->event->ordered, 0, (size_t)near * sizeof *w->event->ordered);
+    for (int i = 0; i < near; i++) {
+        w->event->ordered[i] = 0;
+        w->event->next[i] = next_of(w->event, i);
+    }
     while (ratio == 0 && 2 * ++k + 2 <= PM_SERIES_BLOWS && has_blows(w->event, near, &x, 2 * k + 2))
         ratio = ratio_of_cycles(w, &x, k);
     if (ratio > 0) tell(w->event, near, &x, k, ratio);

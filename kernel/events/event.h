@@ -108,6 +108,7 @@ typedef struct pm_event_set {
     int *body; /* [ncontact][PM_REFERENCES + 1] whom a contact touches but the ground; PM_NONE ends them */
     int *beside_struck;       /* [ncontact] those that share a body with one that is struck */
     int *ordered;             /* [ncontact] of each of these, its blows that are in their order already */
+    double *next;             /* [ncontact] and s, the latest of the others; -INFINITY: there is none */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     double *last;         /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
     double *came;         /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */
