@@ -50,6 +50,7 @@ int pm_bounce_series_create(pm_workspace *w)
         PM_ARRAY(e->beside_struck, n),
         PM_ARRAY(e->ordered, n),
         PM_ARRAY(e->next, n),
+        PM_ARRAY(e->order.beside, n),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     for (int i = 0; i < n && !status; i++) list_bodies(w->model, i, e->body + (PM_REFERENCES + 1) * i);
@@ -80,6 +81,7 @@ void pm_bounce_series_begin(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
         w->event->series[i] = (pm_bounce_series){.over = -INFINITY, .expected = -INFINITY};
+    w->event->order.n = 0;
 }
 
 /* The contacts that were struck and share a body with this one, itself among them. */
@@ -93,12 +95,6 @@ static int find_near(const pm_workspace *w, int contact)
 }
 
 /* ---- the order of blows ---- */
-/* The last blows of several contacts, the latest first. */
-typedef struct pm_blow_order {
-    int n, contact[PM_SERIES_BLOWS];
-    double time[PM_SERIES_BLOWS];
-} pm_blow_order;
-
 /* The latest blow of a contact that is not in its order yet; -INFINITY: there is none. */
 static double next_of(const pm_event_set *e, int i)
 {
@@ -107,8 +103,9 @@ static double next_of(const pm_event_set *e, int i)
 }
 
 /* Those of one instant are entered in the order of the contacts: the latest is the last of them. */
-static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
+static int append_latest(pm_event_set *e, int near)
 {
+    pm_blow_order *x = &e->order;
     int latest = 0;
     for (int i = 1; i < near; i++)
         if (e->next[i] >= e->next[latest]) latest = i;
@@ -121,13 +118,62 @@ static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
 }
 
 /* Whether there are so many; they are put in order as far as that. */
-static int has_blows(const pm_event_set *e, int near, pm_blow_order *x, int n)
+static int has_blows(pm_event_set *e, int near, int n)
 {
-    while (x->n < n && append_latest(e, near, x)) continue;
-    return x->n == n;
+    while (e->order.n < n && append_latest(e, near)) continue;
+    return e->order.n >= n;
 }
 
-static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
+static void put_next(pm_event_set *e, int i, int ordered)
+{
+    e->ordered[i] = ordered;
+    e->next[i] = next_of(e, i);
+}
+
+static int place_beside(const pm_event_set *e, int contact)
+{
+    int i = 0;
+    while (e->beside_struck[i] != contact) i++;
+    return i;
+}
+
+/* The last blow, of this contact, is put before those that are in order already, if they are of the same contacts. */
+static int goes_before(pm_event_set *e, int near, int contact)
+{
+    pm_blow_order *x = &e->order;
+    const double now = e->series[contact].struck[0];
+    if (x->n == 0 || x->near != near || !(now > x->time[0]) ||
+        memcmp(x->beside, e->beside_struck, (size_t)near * sizeof(int)) != 0)
+        return 0;
+    const int place = place_beside(e, contact), last = place_beside(e, x->contact[x->n - 1]);
+    const int full = x->n == PM_SERIES_BLOWS;
+    x->n -= full;
+    memmove(x->time + 1, x->time, (size_t)x->n * sizeof *x->time);
+    memmove(x->contact + 1, x->contact, (size_t)x->n * sizeof *x->contact);
+    x->time[0] = now;
+    x->contact[0] = contact;
+    x->n++;
+    put_next(e, place, e->ordered[place] + 1);
+    if (full) put_next(e, last, e->ordered[last] - 1);
+    return 1;
+}
+
+static void begin_order(pm_event_set *e, int near)
+{
+    e->order.n = 0;
+    e->order.near = near;
+    memcpy(e->order.beside, e->beside_struck, (size_t)near * sizeof(int));
+    for (int i = 0; i < near; i++) put_next(e, i, 0);
+}
+
+/* Some of them, without the latest. */
+typedef struct pm_blows {
+    int n;
+    const int *contact;
+    const double *time;
+} pm_blows;
+
+static double flight(const pm_blows *x, int i) { return x->time[i] - x->time[i + 1]; }
 
 /* By how much flights may be off a ratio that has settled, as a part of the flight before.  What they are off shrinks from cycle
  * to cycle as they do, so that a coarse run takes a ratio as settled some cycles earlier. */
@@ -138,7 +184,7 @@ static double may_be_off(const pm_workspace *w, double ratio)
 }
 
 /* The last n blows were of the same contacts as those k before them. */
-static int comes_again(const pm_blow_order *x, int k, int n)
+static int comes_again(const pm_blows *x, int k, int n)
 {
     for (int i = 0; i < n; i++)
         if (x->contact[i] != x->contact[i + k]) return 0;
@@ -146,7 +192,7 @@ static int comes_again(const pm_blow_order *x, int k, int n)
 }
 
 /* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
-static double ratio_of_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
+static double ratio_of_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
     if (!comes_again(x, k, k + 1)) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
@@ -158,14 +204,14 @@ static double ratio_of_cycles(const pm_workspace *w, const pm_blow_order *x, int
     return ratio;
 }
 
-static int is_in_cycle(const pm_blow_order *x, int k, int contact)
+static int is_in_cycle(const pm_blows *x, int k, int contact)
 {
     for (int i = 0; i < k; i++)
         if (x->contact[i] == contact) return 1;
     return 0;
 }
 
-static int several(const pm_blow_order *x, int k)
+static int several(const pm_blows *x, int k)
 {
     for (int i = 1; i < k; i++)
         if (x->contact[i] != x->contact[0]) return 1;
@@ -174,7 +220,7 @@ static int several(const pm_blow_order *x, int k)
 
 /* What one cycle tells of all that are struck in it; a blow out of its order ends what was known of the others: what bounces there
  * bounces otherwise from now on. */
-static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k, double ratio)
+static void tell(const pm_event_set *e, int near, const pm_blows *x, int k, double ratio)
 {
     for (int i = 0; i < near; i++) {
         pm_bounce_series *s = &e->series[e->beside_struck[i]];
@@ -187,7 +233,7 @@ static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k,
 
 /* Where the order comes again and the ratio has nearly settled: the end by that ratio, in a coarse run by the one before,
  * which shows how far it is known.  -INFINITY if not. */
-static double end_by_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
+static double end_by_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
     if (x->n < 3 * k + 1 || !comes_again(x, k, 2 * k)) return -INFINITY;
     const double last = x->time[0] - x->time[k], before = x->time[k] - x->time[2 * k];
@@ -200,15 +246,13 @@ static double end_by_cycles(const pm_workspace *w, const pm_blow_order *x, int k
 }
 
 /* What touches now may only seem to: the blows before this instant tell. */
-static double expect_end(const pm_workspace *w, pm_blow_order *x)
+static double expect_end(const pm_workspace *w, const pm_blow_order *all)
 {
     int now = 0;
-    while (now < x->n && x->time[now] == w->state.t) now++;
-    x->n -= now;
-    memmove(x->time, x->time + now, (size_t)x->n * sizeof *x->time);
-    memmove(x->contact, x->contact + now, (size_t)x->n * sizeof *x->contact);
+    while (now < all->n && all->time[now] == w->state.t) now++;
+    const pm_blows x = {all->n - now, all->contact + now, all->time + now};
     double end = -INFINITY;
-    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x->n; k++) end = end_by_cycles(w, x, k);
+    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x.n; k++) end = end_by_cycles(w, &x, k);
     return end;
 }
 
@@ -224,18 +268,16 @@ static void count_own(const pm_workspace *w, int near, int contact)
 
 static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
-    pm_blow_order x;
+    pm_event_set *e = w->event;
     double ratio = 0;
-    int k = x.n = 0;
-    for (int i = 0; i < near; i++) {
-        w->event->ordered[i] = 0;
-        w->event->next[i] = next_of(w->event, i);
-    }
-    while (ratio == 0 && 2 * ++k + 2 <= PM_SERIES_BLOWS && has_blows(w->event, near, &x, 2 * k + 2))
+    if (!goes_before(e, near, contact)) begin_order(e, near);
+    const pm_blows x = {e->order.n, e->order.contact, e->order.time};
+    for (int k = 1; ratio == 0 && 2 * k + 2 <= PM_SERIES_BLOWS && has_blows(e, near, 2 * k + 2); k++) {
         ratio = ratio_of_cycles(w, &x, k);
-    if (ratio > 0) tell(w->event, near, &x, k, ratio);
-    for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->beside_struck[i]].ratio = 0;
-    w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);
+        if (ratio > 0) tell(e, near, &x, k, ratio);
+    }
+    for (int i = 0; i < near && ratio == 0; i++) e->series[e->beside_struck[i]].ratio = 0;
+    e->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &e->order);
 }
 
 void pm_bounce_series_strike(const pm_workspace *w, int contact)
@@ -249,7 +291,10 @@ void pm_bounce_series_strike(const pm_workspace *w, int contact)
     if (x->over == INFINITY) x->over = -INFINITY;
     const int near = find_near(w, contact);
     count_own(w, near, contact);
-    if (!(x->over > w->state.t)) look_for_cycles(w, near, contact);
+    if (!(x->over > w->state.t))
+        look_for_cycles(w, near, contact);
+    else
+        w->event->order.n = 0; /* it lacks this one */
 }
 
 int pm_bounce_series_is_settled(const pm_workspace *w, int contact)
@@ -380,6 +425,7 @@ int pm_bounce_series_end(pm_workspace *w)
         w->firing.jumped = x->over; /* by its last bounce */
         x->over = -INFINITY;
         x->ratio = x->known = x->own = 0;
+        w->event->order.n = 0;
         any = 1;
     }
     return any;
