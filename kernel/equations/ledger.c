@@ -202,6 +202,7 @@ void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], dou
 void pm_ledger_step(pm_workspace *w)
 {
     update_scales(w);
+    if (w->active.n == 0) return;
     if (!pm_solve_cache_take_constraints(w)) pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.constraint_worst =
         fmax(w->ledger.constraint_worst, pm_projection_residual(&w->frame, &w->active));
