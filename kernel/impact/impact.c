@@ -253,7 +253,8 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     pm_impact_followed_close(w, b);
     if (b->several && PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_OPEN)
         pm_impact_order_look(w, b);
-    pm_evidence_blow(&w->evidence, ends_series(w, b) ? PM_EVIDENCE_LAST_BLOW : b->approach);
+    if (w->evidence.active)
+        pm_evidence_blow(&w->evidence, ends_series(w, b) ? PM_EVIDENCE_LAST_BLOW : b->approach);
     pm_impact_end_modes(w, b);
     pm_joint_friction_close(&w->frame, &w->state);
     w->result.count[PM_COUNT_JUMPS]++;

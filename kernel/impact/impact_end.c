@@ -58,11 +58,12 @@ void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint
                                   const pm_constraint *tangent, const double impulse[2])
 {
     const pm_constraint *c[] = {normal, tangent};
+    memcpy(w->impulses.slot + 2 * slot, impulse, 2 * sizeof *impulse);
+    if (!w->model->programs.read_impulses) return;
     const double side = pm_contact_constraint_side(&w->frame, pm_contact_of_slot(w->model, slot), normal);
     for (int k = 0; k < 2; k++) {
         pm_line_of_action along;
         pm_constraint_kind(c[k]->kind)->act(&w->frame, c[k], &along);
-        w->impulses.slot[2 * slot + k] = impulse[k];
         for (int i = 0; i < 2; i++)
             w->impulses.slot_direction[4 * slot + 2 * k + i] = side * along.direction[i];
     }
@@ -80,7 +81,8 @@ static void record_contact(pm_workspace *w, int slot)
     const double impulse[] = {p, along >= 0         ? w->saddle.rhs[along]
                                  : along == PM_NONE ? normal->slide * p
                                                     : 0};
-    pm_impact_end_record_contact(w, slot, normal, tangent_of(w, slot, &spare), impulse);
+    const pm_constraint *tangent = w->model->programs.read_impulses ? tangent_of(w, slot, &spare) : normal;
+    pm_impact_end_record_contact(w, slot, normal, tangent, impulse);
 }
 
 void pm_impact_end_record(pm_workspace *w)
