@@ -48,12 +48,12 @@ typedef struct pm_basis {
 static int append(pm_workspace *w, const pm_constraint *c, pm_basis *basis, int *index)
 {
     if (*index != PM_NONE) return PM_OK; /* in the first round */
+    pm_constraint *place = &w->active.constraint[w->active.n];
     if (!basis) {
-        w->active.constraint[w->active.n] = *c;
+        if (c != place) *place = *c;
         *index = w->active.n++;
         return PM_OK;
     }
-    pm_constraint *place = &w->active.constraint[w->active.n];
     pm_orthonormal_rest rest;
     int depends = PM_DEPENDENCE_NONE;
     *place = *c;
@@ -125,14 +125,14 @@ static int append_normals(pm_workspace *w, pm_basis *basis)
 {
     const pm_slot *slot = w->state.slot;
     for (int i = 0; i < w->model->nslot; i++) {
-        pm_constraint normal;
+        pm_constraint own, *normal = basis ? &own : &w->active.constraint[w->active.n]; /* in its place */
         if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
         const int contact = pm_contact_of_slot(w->model, i);
-        pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, &normal);
-        follow_foot(w->model, i, &normal);
-        if (slides(slot[i].mode)) normal.slide = slide_factor(&w->frame, contact, slot[i].mode);
-        w->active.asymmetric |= normal.slide != 0;
-        const int status = append(w, &normal, basis, &w->active.slot_normal[i]);
+        pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, normal);
+        follow_foot(w->model, i, normal);
+        if (slides(slot[i].mode)) normal->slide = slide_factor(&w->frame, contact, slot[i].mode);
+        w->active.asymmetric |= normal->slide != 0;
+        const int status = append(w, normal, basis, &w->active.slot_normal[i]);
         if (status) return status;
     }
     return PM_OK;

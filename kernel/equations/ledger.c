@@ -180,10 +180,9 @@ static double momentum_size(const pm_numbers *numbers, const double p[PM_LEDGER]
     return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / numbers->size);
 }
 
-static void update_scales(pm_workspace *w)
+static void update_scales(pm_workspace *w, double kinetic)
 {
     double p[PM_LEDGER];
-    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     pm_frame_momentum(&w->frame, PM_NONE, p);
     w->ledger.energy_scale =
         fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w->model, &w->state))));
@@ -201,7 +200,7 @@ void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], dou
 
 void pm_ledger_step(pm_workspace *w)
 {
-    update_scales(w);
+    update_scales(w, pm_frame_kinetic(&w->frame, PM_NONE));
     if (w->active.n == 0) return;
     if (!pm_solve_cache_take_constraints(w)) pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.constraint_worst =
@@ -222,9 +221,10 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     }
     const double kinetic_before = pm_frame_kinetic(&w->frame, PM_NONE);
     memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
-    w->impulses.energy_lost += kinetic_before - pm_frame_kinetic(&w->frame, PM_NONE);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
+    w->impulses.energy_lost += kinetic_before - kinetic;
     w->ledger.energy_lost += loss;
-    update_scales(w);
+    update_scales(w, kinetic);
 }
 
 void pm_ledger_contact(pm_workspace *w, const pm_constraint *along, double impulse, const double *before)

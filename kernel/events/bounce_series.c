@@ -194,9 +194,9 @@ static int comes_again(const pm_blows *x, int k, int n)
 /* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
 static double ratio_of_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
-    if (!comes_again(x, k, k + 1)) return 0;
+    if (x->contact[0] != x->contact[k]) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
-    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED)) return 0;
+    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED) || !comes_again(x, k, k + 1)) return 0;
     const double share = may_be_off(w, ratio);
     for (int i = 0; i <= k; i++)
         if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))

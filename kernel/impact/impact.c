@@ -367,7 +367,7 @@ int pm_impact(pm_workspace *w, int *jumped)
     for (int i = 0;; i++) {
         int struck;
         memset(b->share, PM_OUT, (size_t)m->nslot);
-        pm_frame_look_state(&w->frame, &w->state);
+        if (i == 0) pm_frame_look_state(&w->frame, &w->state); /* else it does since the blow */
         int status = find_struck(w, b, &struck);
         if (status || struck == 0) return status;
         if (i == PM_BLOWS_AT_ONCE)
