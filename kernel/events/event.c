@@ -324,7 +324,7 @@ void pm_event_begin(pm_workspace *w)
             add(&w->phase, w->event, FUNCTION_TRACK, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
                 w->numbers.size);
     e->first_step = 1;
-    pm_gap_culling_begin(&w->event->culling, &w->frame);
+    if (e->nsampled > 0) pm_gap_culling_begin(&w->event->culling, &w->frame);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     pm_event_set_multiples(w);
     for (int i = 0; i < e->nfunction; i++) {

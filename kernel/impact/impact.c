@@ -100,12 +100,13 @@ static int is_open(const pm_workspace *w, int contact)
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
     *x = (pm_touch){.stays = 1};
+    if (w->blow->apart[contact] == PM_PARTED) return 0;
     if (w->blow->apart[contact]) return rests_beside(w, contact, x);
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
     if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) {
-        w->blow->apart[contact] = (unsigned char)is_open(w, contact);
+        w->blow->apart[contact] = is_open(w, contact) ? PM_APART : PM_NOT_APART;
         return rests_beside(w, contact, x);
     }
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
@@ -237,6 +238,8 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     const pm_model *m = w->model;
     int status = PM_OK;
     pm_joint_friction_release(w);
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
+        if (b->apart[i] == PM_PARTED) b->apart[i] = PM_NOT_APART;
     for (int i = 0; i < m->nslot; i++) {
         const int captured = w->state.slot[i].mode == PM_CAPTURED;
         b->resting[i] = b->share[i] == PM_STRUCK ? PM_OPEN : w->state.slot[i].mode;

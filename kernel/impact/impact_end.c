@@ -7,6 +7,7 @@
 #include "equations/active_set.h"
 #include "equations/shared_reading.h"
 #include "events/bounce_series.h"
+#include "events/event.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances_impact.h"
@@ -116,6 +117,13 @@ static void tell_modes(pm_workspace *w)
         pm_evidence_mix(&w->evidence.present->log, (uint32_t)w->state.slot[i].mode);
 }
 
+/* Nothing else is to be found of what has one member, and parts. */
+static void note_parting(const pm_workspace *w, pm_blow *b, int contact)
+{
+    if (pm_contact_is_single(w->model, contact) && !w->event->spent[contact] && !w->evidence.active)
+        b->apart[contact] = PM_PARTED;
+}
+
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
  * that slid and stays without slip sticks from the blow on. */
 void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
@@ -128,6 +136,7 @@ void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
         w->state.slot[i].mode = PM_OPEN;
         if (b->share[i] == PM_OUT && b->resting[i] == PM_OPEN) continue;
         pm_contact_member_gap(&w->frame, contact, member, &rate);
+        if (rate > pm_contact_speed(&w->frame)) note_parting(w, b, contact);
         if (fabs(rate) > pm_contact_speed(&w->frame))
             continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member);
