@@ -257,8 +257,20 @@ FAULTS = [
     Fault(
         "series: the order of its blows is not looked at",
         "events/bounce_series.c",
-        "2 * ++k + 2 <= PM_SERIES_BLOWS &&",
-        "2 * ++k + 2 <= 4 &&",
+        "2 * k + 2 <= PM_SERIES_BLOWS &&",
+        "2 * k + 2 <= 4 &&",
+    ),
+    Fault(
+        "series: the order of the last blows is that of other contacts",
+        "events/bounce_series.c",
+        "x->near != near || !(now > x->time[0]) ||",
+        "near < 0 || !(now > x->time[0]) ||",
+    ),
+    Fault(
+        "series: a blow that is put before others pushes none of them out",
+        "events/bounce_series.c",
+        "put_next(e, place, e->ordered[place] + 1);",
+        "put_next(e, place, e->ordered[place]);",
     ),
     Fault(
         "series: a coarse run ends it where the main one does",

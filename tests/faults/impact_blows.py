@@ -16,6 +16,18 @@ FAULTS = [
         "return b->equations ? PM_SLIDE_FORWARD : b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",
     ),
     Fault(
+        "what a blow made part is not struck by the next one at the same instant",
+        "impact/impact.c",
+        "if (b->apart[i] == PM_PARTED) b->apart[i] = PM_NOT_APART;",
+        "",
+    ),
+    Fault(
+        "a contact that was closed before a blow is not looked at after it",
+        "impact/impact.c",
+        "w->blow->apart[contact] = is_open(w, contact) ? PM_APART : PM_NOT_APART;",
+        "w->blow->apart[contact] = PM_APART;",
+    ),
+    Fault(
         "blows at one instant that shrink are given up",
         "impact/impact.c",
         "if (i == PM_BLOWS_AT_ONCE)",
