@@ -264,15 +264,23 @@ static int leave_out_doubtful(pm_workspace *w)
     return status;
 }
 
+static int any_is_closed(const pm_model *m, const pm_slot *slot)
+{
+    for (int i = 0; i < m->nslot; i++)
+        if (slot[i].mode != PM_OPEN) return 1;
+    return 0;
+}
+
 static int append_all(pm_workspace *w, pm_basis *basis)
 {
+    const int closed = any_is_closed(w->model, w->state.slot);
     pm_active_set_clear(&w->active, w->model);
     int status = append_joints(w, basis);
-    if (!status) status = append_captured(w, basis);
+    if (!status && closed) status = append_captured(w, basis);
     for (int round = basis ? 0 : 1; round < 2 && !status; round++) {
         if (basis) basis->clearly = round == 0;
-        status = append_normals(w, basis);
-        if (!status) status = append_tangents(w, basis);
+        if (closed) status = append_normals(w, basis);
+        if (!status && closed) status = append_tangents(w, basis);
         if (!status) status = append_friction(w, basis);
     }
     return status;

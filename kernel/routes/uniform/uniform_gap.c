@@ -81,6 +81,21 @@ static double gap_of(const pm_workspace *w, const pm_constraint *c, double *rate
     return here.g;
 }
 
+static void keep_first(pm_closing *x, int members, double g, double rate)
+{
+    x->begun = members == 1;
+    x->first = g;
+    x->first_rate = rate;
+}
+
+/* As gap_of; at the begin of the phase it is known. */
+static double gap_again(const pm_workspace *w, const pm_constraint *c, const pm_closing *x, double *rate)
+{
+    if (x->safe > 0 || !x->begun) return gap_of(w, c, rate);
+    *rate = x->first_rate;
+    return x->first;
+}
+
 void pm_uniform_gap_begin(pm_workspace *w, int contact)
 {
     pm_uniform *u = w->uniform;
@@ -96,6 +111,7 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
         pm_constraint own;
         const pm_constraint *c = pm_contact_constraint_read(&w->frame, contact, member[i], &own);
         double rate, g = gap_of(w, c, &rate);
+        keep_first(&u->closing[contact], n, g, rate);
         begin_exactly(&w->frame, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
@@ -148,7 +164,7 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
     for (int i = 0; i < n; i++) {
         pm_constraint own;
         const pm_constraint *c = pm_contact_constraint_read(&w->frame, contact, member[i], &own);
-        double rate, g = gap_of(w, c, &rate);
+        double rate, g = gap_again(w, c, &w->uniform->closing[contact], &rate);
         if (first) begin_exactly(&w->frame, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {
