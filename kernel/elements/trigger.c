@@ -113,8 +113,7 @@ static int outlasts_jumps(const pm_model *m, int i)
 void pm_trigger_look_before(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (!outlasts_jumps(w->model, i))
-            w->firing.before[i] = pm_trigger_program(w, i);
+        if (!outlasts_jumps(w->model, i)) w->firing.before[i] = pm_trigger_program(w, i);
 }
 
 /* ---- switches of forces ---- */

@@ -45,12 +45,9 @@ int pm_bounce_series_create(pm_workspace *w)
     pm_event_set *e = w->event;
     const int n = w->model->rows[PM_TABLE_CONTACT];
     const pm_array array[] = {
-        PM_ARRAY(e->series, n),
-        PM_ARRAY(e->body, (PM_REFERENCES + 1) * n),
-        PM_ARRAY(e->beside_struck, n),
-        PM_ARRAY(e->ordered, n),
-        PM_ARRAY(e->next, n),
-        PM_ARRAY(e->order.beside, n),
+        PM_ARRAY(e->series, n),        PM_ARRAY(e->body, (PM_REFERENCES + 1) * n),
+        PM_ARRAY(e->beside_struck, n), PM_ARRAY(e->ordered, n),
+        PM_ARRAY(e->next, n),          PM_ARRAY(e->order.beside, n),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     for (int i = 0; i < n && !status; i++) list_bodies(w->model, i, e->body + (PM_REFERENCES + 1) * i);

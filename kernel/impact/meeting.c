@@ -36,8 +36,7 @@ static double time_left(const pm_workspace *w, int contact)
 {
     int member = 0;
     double rate;
-    if (!pm_contact_is_single(w->model, contact))
-        pm_contact_gap(&w->frame, &w->state, contact, &member);
+    if (!pm_contact_is_single(w->model, contact)) pm_contact_gap(&w->frame, &w->state, contact, &member);
     const double gap = pm_contact_member_gap(&w->frame, contact, member, &rate);
     if (!(rate < -pm_contact_speed(&w->frame))) return 0;
     const double most = PM_MEETING_ROUNDINGS * PM_EPSILON * fabs(w->state.t), left = -gap / rate;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -34,7 +35,7 @@ heavy = { of = "heavy.velocity.x", unit = "m/s" }
 
 
 def velocities(ratio: float, blows: int) -> tuple[float, float]:
-    """In (v_light, sqrt(ratio) v_heavy) a blow is a reflection, and two of them a turn by twice this angle."""
+    """In (v_light, sqrt(ratio) v_heavy) a blow is a reflection, and two turn by a fixed angle."""
     turn, pairs = 2 * math.atan(ratio**-0.5), blows // 2
     heavy, light = -math.cos(pairs * turn), math.sqrt(ratio) * math.sin(pairs * turn)
     if blows % 2 == 0:
@@ -48,7 +49,7 @@ def velocities(ratio: float, blows: int) -> tuple[float, float]:
 def test_blows_count_the_digits_of_pi(power: int, blows: int, estimate: str) -> None:
     ratio = 100.0**power
     scene = planemotion.load_text(SCENE.replace("RATIO", f"{ratio:.0f}").replace("ESTIMATE", estimate))
-    result = scene.run()
+    result: Any = scene.run()
     light, heavy = velocities(ratio, blows)
     assert (result.status, result["blows"]) == ("ok", blows)
     assert result["heavy"] == pytest.approx(heavy, abs=1e-9)

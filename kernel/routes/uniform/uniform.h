@@ -7,13 +7,13 @@
 
 /* The search for the first closing of one contact: times from the begin of the phase. */
 typedef struct pm_closing {
-    double safe;             /* open until here at least */
-    double root;             /* closes here; INFINITY: not found yet */
-    int exact;               /* that is the root of a parabola, and no rounding of positions in it */
-    double looked, g, rate;  /* where it was looked at last, the smallest gap there, and its rate */
-    int begun;               /* it has one member alone, and that was looked at as the phase began: */
+    double safe;              /* open until here at least */
+    double root;              /* closes here; INFINITY: not found yet */
+    int exact;                /* that is the root of a parabola, and no rounding of positions in it */
+    double looked, g, rate;   /* where it was looked at last, the smallest gap there, and its rate */
+    int begun;                /* it has one member alone, and that was looked at as the phase began: */
     double first, first_rate; /* its gap there, and the rate of it */
-    double near, near_reach; /* least gap where it came close and reversed, or INFINITY; gap around there */
+    double near, near_reach;  /* least gap where it came close and reversed, or INFINITY; gap around there */
 } pm_closing;
 
 /* Blows of one contact that follow each other like a geometric series: zeno.c. */
