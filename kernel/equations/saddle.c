@@ -375,17 +375,9 @@ static int friction_is_found(pm_workspace *w, double *change)
     return *change <= PM_FRICTION_SAME || (*change <= PM_FRICTION_ROUNDING && *change > PM_GAIN * before);
 }
 
-/* Nothing holds the bodies, and nothing but weight acts: to find that again costs less than to look it up. */
-static int falls(const pm_workspace *w)
-{
-    const pm_model *m = w->model;
-    return w->active.n == 0 && m->rows[PM_TABLE_FORCE] == 0 && m->nfriction == 0 && !w->numbers.massless;
-}
-
 static int accelerate_from(pm_workspace *w, int evaluated)
 {
     double change = INFINITY;
-    if (falls(w)) return accelerate(w, 0);
     if (pm_solve_cache_take(w)) return PM_OK;
     for (int i = 0; i < PM_FRICTION_ROUNDS; i++) {
         const int status = accelerate(w, evaluated && i == 0);

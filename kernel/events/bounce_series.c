@@ -23,6 +23,7 @@
 
 #include "elements/contact.h"
 #include "elements/trigger.h"
+#include "events/blow_order.h"
 #include "events/event.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -92,77 +93,6 @@ static int find_near(const pm_workspace *w, int contact)
 }
 
 /* ---- the order of blows ---- */
-/* The latest blow of a contact that is not in its order yet; -INFINITY: there is none. */
-static double next_of(const pm_event_set *e, int i)
-{
-    const pm_bounce_series *s = &e->series[e->beside_struck[i]];
-    return e->ordered[i] < s->known ? s->struck[e->ordered[i]] : -INFINITY;
-}
-
-/* Those of one instant are entered in the order of the contacts: the latest is the last of them. */
-static int append_latest(pm_event_set *e, int near)
-{
-    pm_blow_order *x = &e->order;
-    int latest = 0;
-    for (int i = 1; i < near; i++)
-        if (e->next[i] >= e->next[latest]) latest = i;
-    if (e->next[latest] == -INFINITY) return 0;
-    x->contact[x->n] = e->beside_struck[latest];
-    x->time[x->n++] = e->next[latest];
-    e->ordered[latest]++;
-    e->next[latest] = next_of(e, latest);
-    return 1;
-}
-
-/* Whether there are so many; they are put in order as far as that. */
-static int has_blows(pm_event_set *e, int near, int n)
-{
-    while (e->order.n < n && append_latest(e, near)) continue;
-    return e->order.n >= n;
-}
-
-static void put_next(pm_event_set *e, int i, int ordered)
-{
-    e->ordered[i] = ordered;
-    e->next[i] = next_of(e, i);
-}
-
-static int place_beside(const pm_event_set *e, int contact)
-{
-    int i = 0;
-    while (e->beside_struck[i] != contact) i++;
-    return i;
-}
-
-/* The last blow, of this contact, is put before those that are in order already, if they are of the same contacts. */
-static int goes_before(pm_event_set *e, int near, int contact)
-{
-    pm_blow_order *x = &e->order;
-    const double now = e->series[contact].struck[0];
-    if (x->n == 0 || x->near != near || !(now > x->time[0]) ||
-        memcmp(x->beside, e->beside_struck, (size_t)near * sizeof(int)) != 0)
-        return 0;
-    const int place = place_beside(e, contact), last = place_beside(e, x->contact[x->n - 1]);
-    const int full = x->n == PM_SERIES_BLOWS;
-    x->n -= full;
-    memmove(x->time + 1, x->time, (size_t)x->n * sizeof *x->time);
-    memmove(x->contact + 1, x->contact, (size_t)x->n * sizeof *x->contact);
-    x->time[0] = now;
-    x->contact[0] = contact;
-    x->n++;
-    put_next(e, place, e->ordered[place] + 1);
-    if (full) put_next(e, last, e->ordered[last] - 1);
-    return 1;
-}
-
-static void begin_order(pm_event_set *e, int near)
-{
-    e->order.n = 0;
-    e->order.near = near;
-    memcpy(e->order.beside, e->beside_struck, (size_t)near * sizeof(int));
-    for (int i = 0; i < near; i++) put_next(e, i, 0);
-}
-
 /* Some of them, without the latest. */
 typedef struct pm_blows {
     int n;
@@ -267,9 +197,10 @@ static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
     pm_event_set *e = w->event;
     double ratio = 0;
-    if (!goes_before(e, near, contact)) begin_order(e, near);
+    pm_blow_order_put(e, near, contact);
     const pm_blows x = {e->order.n, e->order.contact, e->order.time};
-    for (int k = 1; ratio == 0 && 2 * k + 2 <= PM_SERIES_BLOWS && has_blows(e, near, 2 * k + 2); k++) {
+    for (int k = 1; ratio == 0 && 2 * k + 2 <= PM_SERIES_BLOWS && pm_blow_order_has(e, near, 2 * k + 2);
+         k++) {
         ratio = ratio_of_cycles(w, &x, k);
         if (ratio > 0) tell(e, near, &x, k, ratio);
     }

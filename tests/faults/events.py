@@ -261,18 +261,6 @@ FAULTS = [
         "2 * k + 2 <= 4 &&",
     ),
     Fault(
-        "series: the order of the last blows is that of other contacts",
-        "events/bounce_series.c",
-        "x->near != near || !(now > x->time[0]) ||",
-        "near < 0 || !(now > x->time[0]) ||",
-    ),
-    Fault(
-        "series: a blow that is put before others pushes none of them out",
-        "events/bounce_series.c",
-        "put_next(e, place, e->ordered[place] + 1);",
-        "put_next(e, place, e->ordered[place]);",
-    ),
-    Fault(
         "series: a coarse run ends it where the main one does",
         "events/bounce_series.c",
         "w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER / ratio : 1;",
