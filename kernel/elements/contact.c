@@ -53,7 +53,6 @@ static int is_closed(const pm_frame *frame, const pm_state *s, int contact, int 
     return 0;
 }
 
-/* The constraint with the numbers of the case says all of it. */
 static inline double plain_gap(const pm_frame *frame, int contact, double *rate)
 {
     const pm_constraint *c = &frame->numbers->of_contact[contact];

@@ -1,4 +1,4 @@
-"""Faults planted in `kernel/impact/`: actions, drives, switches, ends of tables at an instant, orders of blows."""
+"""Faults planted in `kernel/impact/` (actions, drives, switches, ends of tables), and in orders of blows."""
 
 from tests.faults.fault import Fault
 

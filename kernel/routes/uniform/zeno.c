@@ -151,9 +151,10 @@ static pm_outlook outlook_of(pm_workspace *w, const pm_rest *r, int program)
 }
 
 /* State at the end of the series. */
-static void end_of_series(const pm_uniform *u, int nq, const pm_rest *r, double *q, double *v)
+static void end_of_series(pm_uniform *u, int nq, const pm_rest *r, double *q, double *v)
 {
     const double t = r->time, e = r->e;
+    u->looked = NAN; /* this may be written where that place is */
     for (int i = 0; i < nq; i++) {
         const double d = u->series.change[i];
         q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i] + d * e * e / (1 - e * e));
@@ -177,7 +178,6 @@ static int fires_alike(pm_workspace *w, const pm_rest *r, int trigger, const pm_
     pm_uniform *u = w->uniform;
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
     end_of_series(u, w->model->nq, r, u->q_look, u->v_look);
-    u->looked = NAN;
     pm_frame_look(&w->frame, u->t0 + r->time, u->q_look, u->v_look, w->state.z, w->state.memory);
     const double p = pm_trigger_program(w, trigger);
     const double off = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY ? p - round(p) : p;
@@ -289,10 +289,9 @@ static int others_stay_open(pm_workspace *w, const pm_rest *r)
 
 static double slip_with(pm_workspace *w, int slot, double t, double factor)
 {
-    pm_uniform *u = w->uniform;
+    const pm_uniform *u = w->uniform;
     const int contact = pm_contact_of_slot(w->model, slot);
-    pm_uniform_look(w, t);
-    u->looked = NAN; /* other velocities */
+    pm_uniform_look_at_forces(w, t); /* which nobody takes for looked at: its velocities become others */
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] += factor * u->series.change[i];
     return pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
 }
@@ -375,7 +374,6 @@ static void add_blows(pm_workspace *w, const pm_rest *r, const double *q_end, co
         u->q_look[i] = q_end[i] + (linear * square + quadratic * cube) / sum;
         u->v_look[i] = v_end[i] - (at + 0.5 * d * (1 + e) / (1 - e)) * e / (1 + e);
     }
-    u->looked = NAN;
     pm_frame_look(&w->frame, u->t0, u->q_look, u->v_look, w->state.z, w->state.memory);
     pm_ledger_series(w, sum);
 }
