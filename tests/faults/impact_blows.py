@@ -22,12 +22,6 @@ FAULTS = [
         "",
     ),
     Fault(
-        "a contact that was closed before a blow is not looked at after it",
-        "impact/impact.c",
-        "w->blow->apart[contact] = is_open(w, contact) ? PM_APART : PM_NOT_APART;",
-        "w->blow->apart[contact] = PM_APART;",
-    ),
-    Fault(
         "blows at one instant that shrink are given up",
         "impact/impact.c",
         "if (i == PM_BLOWS_AT_ONCE)",

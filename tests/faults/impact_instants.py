@@ -1,20 +1,8 @@
-"""Faults planted in `kernel/impact/` (actions, drives, switches, ends of tables), and in orders of blows."""
+"""Faults planted in `kernel/impact/`: actions, drives, switches and ends of tables at an instant."""
 
 from tests.faults.fault import Fault
 
 FAULTS = [
-    Fault(
-        "series: the order of the last blows is that of other contacts",
-        "events/blow_order.c",
-        "x->near != near || !(now > x->time[0]) ||",
-        "near < 0 || !(now > x->time[0]) ||",
-    ),
-    Fault(
-        "series: a blow that is put before others pushes none of them out",
-        "events/blow_order.c",
-        "put_next(e, place, e->ordered[place] + 1);",
-        "put_next(e, place, e->ordered[place]);",
-    ),
     Fault(
         "a foot that parts takes no part in a blow that is not unique without it",
         "impact/impact.c",
