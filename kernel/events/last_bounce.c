@@ -5,8 +5,8 @@
  * rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better. Bodies on
  * several contacts rock from one to the other in the same way, even without restitution: a contact that would part so slowly
  * because another one was struck is held closed.  Where several are struck in an order that repeats, the last blow of one is
- * the last of all: by then every gap is within rounding.  What bounces without an end, since nothing presses it, has done when a
- * blow elsewhere presses it. */
+ * the last of all: by then every gap is within rounding.  What bounces without an end, since nothing presses it, has done
+ * when a blow elsewhere presses it. */
 #include "events/last_bounce.h"
 
 #include <math.h>
