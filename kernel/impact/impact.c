@@ -110,7 +110,7 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
         return rests_beside(w, contact, x);
     }
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
-    if (!pm_last_bounce_is_near(w, contact, x->rate)) {
+    if (!w->blow->series_ends && !pm_last_bounce_is_near(w, contact, x->rate)) {
         /* speeds below it neither strike nor part; that of the main pass in a coarse run, too */
         const double none = pm_contact_speed(&w->frame) / w->numbers.coarse;
         pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, x->rate + none, w->numbers.speed);

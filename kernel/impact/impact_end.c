@@ -8,6 +8,7 @@
 #include "equations/shared_reading.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
+#include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances_impact.h"
@@ -124,11 +125,22 @@ static void note_parting(const pm_workspace *w, pm_blow *b, int contact)
         b->apart[contact] = PM_PARTED;
 }
 
+/* What was closed, and the blow presses beyond rounding, does not bounce any more. */
+static void press(const pm_workspace *w, const pm_blow *b)
+{
+    double most = 0;
+    for (int i = 0; i < w->model->nslot; i++) most = fmax(most, w->impulses.slot[2 * i]);
+    for (int i = 0; i < w->model->nslot; i++)
+        if (b->share[i] == PM_JOINED && w->impulses.slot[2 * i] > PM_BLOW_ROUNDING * most)
+            pm_last_bounce_press(w, pm_contact_of_slot(w->model, i));
+}
+
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
  * that slid and stays without slip sticks from the blow on. */
 void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
 {
     int series_ends = 0;
+    press(w, b);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
         double rate;

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "jump: what parts as a series is cut off is a decision",
+        "impact/impact.c",
+        "if (!w->blow->series_ends && !pm_last",
+        "if (!pm_last",
+    ),
+    Fault(
+        "series: what bounces without an end does so though it is pressed on",
+        "impact/impact_end.c",
+        "w->impulses.slot[2 * i] > PM_BLOW_ROUNDING * most)",
+        "w->impulses.slot[2 * i] > 2 * most)",
+    ),
+    Fault(
         "contacts that depend on each other at the place of a blow all hold",
         "impact/impact_trial.c",
         "if (!status && !w->active.clear && pm_active_set_let_loose(w) > 0)",
