@@ -49,10 +49,12 @@ void pm_constant_motion_curve(const pm_workspace *w, double *v, double *a, unsig
     *x = (pm_constant_motion){.v = v, .a = a, .rotates = rotates, .locked = locked};
     x->speed = PM_STEADY_ROUNDING * w->numbers.speed;
     x->acceleration = PM_STEADY_ROUNDING * acceleration_scale(&w->frame);
-    for (int i = 0; i < nq; i++) {
-        v[i] = fabs(w->state.v[i]) * length_of(&w->frame, i) <= x->speed ? 0 : w->state.v[i];
-        a[i] = fabs(w->frame.a[i]) * length_of(&w->frame, i) <= x->acceleration ? 0 : w->frame.a[i];
-    }
+    const double length[3] = {1, 1, w->frame.numbers->size};
+    for (int i = 0; i < nq; i += 3)
+        for (int k = 0; k < 3; k++) {
+            v[i + k] = fabs(w->state.v[i + k]) * length[k] <= x->speed ? 0 : w->state.v[i + k];
+            a[i + k] = fabs(w->frame.a[i + k]) * length[k] <= x->acceleration ? 0 : w->frame.a[i + k];
+        }
     for (int k = nq; k < nq + 3; k++) v[k] = a[k] = 0;
     for (int i = 0; i <= nbody; i++) rotates[i] = v[3 * i + 2] != 0 || a[3 * i + 2] != 0;
     find_locked(w->model, &w->active, x);

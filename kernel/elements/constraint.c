@@ -6,6 +6,7 @@
 /* Greatest size of omega^2 and alpha together while omega grows by alpha. */
 static double hardest_rotation(double omega, double alpha, double h)
 {
+    if (omega == 0 && alpha == 0) return 0;
     const double fastest = fabs(omega) + fabs(alpha) * h;
     return hypot(fastest * fastest, alpha);
 }

@@ -120,6 +120,9 @@ void pm_contact_compose(const pm_frame *frame);
 /* The normal constraint alone of a contact that is closed (or may close) in `slot` with `member`. */
 void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, int member,
                                   pm_constraint *normal);
+/* The same as it is read: that of the case where the member has no numbers of its own, else *own; its slot is not told. */
+const pm_constraint *pm_contact_constraint_read(const pm_frame *frame, int contact, int member,
+                                                pm_constraint *own);
 /* Its tangential constraint, from the normal one. */
 void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_constraint *normal,
                                    pm_constraint *tangent);

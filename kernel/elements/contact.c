@@ -53,6 +53,12 @@ static int is_closed(const pm_frame *frame, const pm_state *s, int contact, int 
     return 0;
 }
 
+static inline double plain_gap(const pm_frame *frame, int contact, double *rate)
+{
+    const pm_constraint *c = &frame->numbers->of_contact[contact];
+    return pm_constraint_kind(c->kind)->gap(frame, c, rate);
+}
+
 double pm_contact_restitution(const pm_frame *frame, int contact)
 {
     return frame->numbers->value[PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_RESTITUTION]];
@@ -160,6 +166,7 @@ static const pm_constraint_ops *ops_of_gap(const pm_model *m, const pm_constrain
 double pm_contact_member_gap(const pm_frame *frame, int contact, int member, double *rate)
 {
     const pm_constraint *own = &frame->numbers->of_contact[contact];
+    if (pm_contact_is_plain(frame->model, contact)) return plain_gap(frame, contact, rate);
     if (pm_capture_is_meeting(frame->model, contact)) return meeting_gap(frame, contact, rate);
     if (pm_contact_is_pattern(frame->model, contact)) return point_gap(frame, contact, member, rate);
     const pm_constraint_ops *ops = ops_of_gap(frame->model, own, contact, member);
@@ -311,11 +318,13 @@ int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int m
 {
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     if (pm_state_is_absent(frame->model, s, PM_TABLE_CONTACT, contact)) return 0;
+    member[0] = 0;
+    if (pm_contact_is_plain(frame->model, contact))
+        return !pm_contact_plain_is_closed(frame->model, s, contact);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) {
         const pm_beside x = pm_contact_beside(frame, contact);
         return members_of_pattern(frame, s, contact, &x, most, member);
     }
-    member[0] = 0;
     return !is_closed(frame, s, contact, 0);
 }
 
@@ -371,6 +380,9 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
 {
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
     *member = 0;
+    if (pm_contact_is_plain(frame->model, contact))
+        return pm_contact_plain_is_closed(frame->model, s, contact) ? INFINITY
+                                                                    : plain_gap(frame, contact, NULL);
     if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) return pattern_gap(frame, s, contact, member);
     if (pm_contact_curve_is(frame->model, contact)) return pm_contact_curve_gap(frame, s, contact, member);
     if (is_closed(frame, s, contact, 0)) return INFINITY;
@@ -381,6 +393,7 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
 int pm_contact_touches(const pm_frame *frame, const pm_state *s, int contact, int *member)
 {
     if (pm_contact_gap(frame, s, contact, member) > pm_contact_length(frame)) return 0;
+    if (pm_contact_is_plain(frame->model, contact)) return 1;
     if (pm_contact_curve_is(frame->model, contact))
         return pm_contact_curve_touches(frame, s, contact, member);
     return !pm_edge_is(frame->model, contact) || pm_edge_touches(frame, contact);

@@ -48,6 +48,23 @@ static inline int pm_contact_slots(const pm_model *m, int contact)
 }
 /* The contact that a slot belongs to. */
 static inline int pm_contact_of_slot(const pm_model *m, int slot) { return m->contact_of_slot[slot]; }
+/* It has one member, 0, that closes and opens as a whole: no pattern, edge or curve. */
+static inline int pm_contact_is_single(const pm_model *m, int contact)
+{
+    const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
+    return kind != PM_CONTACT_PATTERN && kind != PM_CONTACT_SEGMENT && kind != PM_CONTACT_CURVE &&
+           kind != PM_CONTACT_CURVES;
+}
+/* A circle and a line, or two circles. */
+static inline int pm_contact_is_plain(const pm_model *m, int contact)
+{
+    const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
+    return kind == PM_CONTACT_LINE || kind == PM_CONTACT_CIRCLE;
+}
+static inline int pm_contact_plain_is_closed(const pm_model *m, const pm_state *s, int contact)
+{
+    return s->slot[m->contact_slot[contact]].mode != PM_OPEN;
+}
 /* A free slot, or PM_NONE. */
 int pm_contact_free_slot(const pm_frame *frame, const pm_state *s, int contact);
 

@@ -114,6 +114,18 @@ void pm_contact_constraint_normal(const pm_frame *frame, int contact, int slot, 
     }
 }
 
+const pm_constraint *pm_contact_constraint_read(const pm_frame *frame, int contact, int member,
+                                                pm_constraint *own)
+{
+    const pm_model *m = frame->model;
+    const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
+    const int plain = kind == PM_CONTACT_LINE || kind == PM_CONTACT_CIRCLE || kind == PM_CONTACT_POINT ||
+                      (kind == PM_CONTACT_SEGMENT && member == PM_SEGMENT_FACE);
+    if (plain) return &frame->numbers->of_contact[contact];
+    pm_contact_constraint_normal(frame, contact, m->contact_slot[contact], member, own);
+    return own;
+}
+
 void pm_contact_constraint_tangent(const pm_frame *frame, int contact, const pm_constraint *normal,
                                    pm_constraint *tangent)
 {

@@ -103,11 +103,17 @@ void pm_trigger_mark_start(pm_workspace *w)
         if (pm_trigger_on_time(w->model, i) && root_of(w, i) == w->frame.t) w->firing.fired[i] = PM_FIRED_NOW;
 }
 
+/* No jump takes it past its zero: it reads nothing that jumps. */
+static int outlasts_jumps(const pm_model *m, int i)
+{
+    return PM_TRIGGER_ROW(m, i)[PM_TRIGGER_KIND] > PM_TRIGGER_FALL ||
+           (pm_trigger_on_time(m, i) && !pm_trigger_of_switch(m, i));
+}
+
 void pm_trigger_look_before(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND] <= PM_TRIGGER_FALL)
-            w->firing.before[i] = pm_trigger_program(w, i);
+        if (!outlasts_jumps(w->model, i)) w->firing.before[i] = pm_trigger_program(w, i);
 }
 
 /* ---- switches of forces ---- */
@@ -197,8 +203,7 @@ static int has_fired(pm_workspace *w, int trigger, double before, double after)
 void pm_trigger_look_after(pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
-        const int kind = PM_TRIGGER_ROW(w->model, i)[PM_TRIGGER_KIND];
-        if (kind > PM_TRIGGER_FALL || w->firing.fired[i] == PM_FIRED_NOW) continue;
+        if (outlasts_jumps(w->model, i) || w->firing.fired[i] == PM_FIRED_NOW) continue;
         if (has_fired(w, i, w->firing.before[i], pm_trigger_program(w, i))) w->firing.fired[i] = PM_FIRED_NOW;
     }
 }

@@ -48,12 +48,12 @@ typedef struct pm_basis {
 static int append(pm_workspace *w, const pm_constraint *c, pm_basis *basis, int *index)
 {
     if (*index != PM_NONE) return PM_OK; /* in the first round */
+    pm_constraint *place = &w->active.constraint[w->active.n];
     if (!basis) {
-        w->active.constraint[w->active.n] = *c;
+        if (c != place) *place = *c;
         *index = w->active.n++;
         return PM_OK;
     }
-    pm_constraint *place = &w->active.constraint[w->active.n];
     pm_orthonormal_rest rest;
     int depends = PM_DEPENDENCE_NONE;
     *place = *c;
@@ -125,14 +125,14 @@ static int append_normals(pm_workspace *w, pm_basis *basis)
 {
     const pm_slot *slot = w->state.slot;
     for (int i = 0; i < w->model->nslot; i++) {
-        pm_constraint normal;
+        pm_constraint own, *normal = basis ? &own : &w->active.constraint[w->active.n]; /* in its place */
         if (slot[i].mode == PM_OPEN || slot[i].mode == PM_CAPTURED) continue;
         const int contact = pm_contact_of_slot(w->model, i);
-        pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, &normal);
-        follow_foot(w->model, i, &normal);
-        if (slides(slot[i].mode)) normal.slide = slide_factor(&w->frame, contact, slot[i].mode);
-        w->active.asymmetric |= normal.slide != 0;
-        const int status = append(w, &normal, basis, &w->active.slot_normal[i]);
+        pm_contact_constraint_normal(&w->frame, contact, i, slot[i].member, normal);
+        follow_foot(w->model, i, normal);
+        if (slides(slot[i].mode)) normal->slide = slide_factor(&w->frame, contact, slot[i].mode);
+        w->active.asymmetric |= normal->slide != 0;
+        const int status = append(w, normal, basis, &w->active.slot_normal[i]);
         if (status) return status;
     }
     return PM_OK;
@@ -264,15 +264,23 @@ static int leave_out_doubtful(pm_workspace *w)
     return status;
 }
 
+static int any_is_closed(const pm_model *m, const pm_slot *slot)
+{
+    for (int i = 0; i < m->nslot; i++)
+        if (slot[i].mode != PM_OPEN) return 1;
+    return 0;
+}
+
 static int append_all(pm_workspace *w, pm_basis *basis)
 {
+    const int closed = any_is_closed(w->model, w->state.slot);
     pm_active_set_clear(&w->active, w->model);
     int status = append_joints(w, basis);
-    if (!status) status = append_captured(w, basis);
+    if (!status && closed) status = append_captured(w, basis);
     for (int round = basis ? 0 : 1; round < 2 && !status; round++) {
         if (basis) basis->clearly = round == 0;
-        status = append_normals(w, basis);
-        if (!status) status = append_tangents(w, basis);
+        if (closed) status = append_normals(w, basis);
+        if (!status && closed) status = append_tangents(w, basis);
         if (!status) status = append_friction(w, basis);
     }
     return status;

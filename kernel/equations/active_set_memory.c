@@ -19,6 +19,9 @@ void pm_active_set_anchor(const pm_frame *frame, pm_state *s, int slot)
 {
     pm_constraint normal, tangent;
     const int contact = pm_contact_of_slot(frame->model, slot);
+    if (s->slot[slot].mode == PM_SMOOTH && pm_contact_is_single(frame->model, contact) &&
+        !pm_contact_measures_itself(frame->model, contact))
+        return; /* nothing ever holds it along its tangent */
     const int slips = pm_contact_has_rim(frame->model, contact) || pm_contact_rubs(frame->model, contact);
     if (pm_contact_measures_itself(frame->model, contact) && !slips) return; /* its length stays */
     if (s->slot[slot].mode == PM_CAPTURED) {

@@ -141,6 +141,14 @@ void pm_ledger_rates(pm_workspace *w, double *zdot)
     add_constraints(&w->frame, &w->active, w->frame.lambda, outer);
 }
 
+int pm_ledger_rests(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const double *g = w->numbers.gravity;
+    return m->nz_controlled == 0 && m->rows[PM_TABLE_FORCE] == 0 && !pm_turning_plane_turns(m) &&
+           w->active.n == 0 && g[0] == 0 && g[1] == 0;
+}
+
 static double energy(pm_workspace *w)
 {
     return pm_frame_kinetic(&w->frame, PM_NONE) + pm_turning_plane_kinetic(&w->frame, PM_NONE) +
@@ -172,10 +180,9 @@ static double momentum_size(const pm_numbers *numbers, const double p[PM_LEDGER]
     return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / numbers->size);
 }
 
-static void update_scales(pm_workspace *w)
+static void update_scales(pm_workspace *w, double kinetic)
 {
     double p[PM_LEDGER];
-    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     pm_frame_momentum(&w->frame, PM_NONE, p);
     w->ledger.energy_scale =
         fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w->model, &w->state))));
@@ -193,7 +200,8 @@ void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], dou
 
 void pm_ledger_step(pm_workspace *w)
 {
-    update_scales(w);
+    update_scales(w, pm_frame_kinetic(&w->frame, PM_NONE));
+    if (w->active.n == 0) return;
     if (!pm_solve_cache_take_constraints(w)) pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.constraint_worst =
         fmax(w->ledger.constraint_worst, pm_projection_residual(&w->frame, &w->active));
@@ -213,9 +221,10 @@ void pm_ledger_jump(pm_workspace *w, const double *before)
     }
     const double kinetic_before = pm_frame_kinetic(&w->frame, PM_NONE);
     memcpy(velocity, w->state.v, (size_t)m->nq * sizeof *velocity);
-    w->impulses.energy_lost += kinetic_before - pm_frame_kinetic(&w->frame, PM_NONE);
+    const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
+    w->impulses.energy_lost += kinetic_before - kinetic;
     w->ledger.energy_lost += loss;
-    update_scales(w);
+    update_scales(w, kinetic);
 }
 
 void pm_ledger_contact(pm_workspace *w, const pm_constraint *along, double impulse, const double *before)

@@ -16,6 +16,8 @@ double pm_ledger_controlled_scale(const pm_frame *frame, int z);
 int pm_ledger_power(const pm_model *m);
 /* Where the impulses of the outer world begin among the running integrals. */
 int pm_ledger_ledger(const pm_model *m);
+/* No rate of the running integrals is anything but zero in the phase that begins: nothing acts. */
+int pm_ledger_rests(const pm_workspace *w);
 /* Opens the ledger at the start of the run (after the assembly). */
 void pm_ledger_begin(pm_workspace *w);
 /* The impulses of the outer world in z[nz] grow by the momenta of the frame beyond those before. */

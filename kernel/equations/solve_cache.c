@@ -38,9 +38,11 @@ void pm_solve_cache_forget(pm_solve_cache *cache)
     cache->built = PM_NONE;
 }
 
-/* Nothing but the configuration, the velocities and the constraints makes the accelerations. */
+/* Nothing but the configuration, the velocities and the constraints makes the accelerations.  Where nothing holds the bodies, and
+ * nothing but weight acts, to find them again costs less than to look them up. */
 static int applies(const pm_workspace *w)
 {
+    if (w->active.n == 0 && w->model->rows[PM_TABLE_FORCE] == 0) return 0;
     return w->model->programs.cacheable && !w->active.asymmetric && !w->numbers.massless;
 }
 

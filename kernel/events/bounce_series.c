@@ -23,6 +23,7 @@
 
 #include "elements/contact.h"
 #include "elements/trigger.h"
+#include "events/blow_order.h"
 #include "events/event.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -45,10 +46,9 @@ int pm_bounce_series_create(pm_workspace *w)
     pm_event_set *e = w->event;
     const int n = w->model->rows[PM_TABLE_CONTACT];
     const pm_array array[] = {
-        PM_ARRAY(e->series, n),
-        PM_ARRAY(e->body, (PM_REFERENCES + 1) * n),
-        PM_ARRAY(e->beside_struck, n),
-        PM_ARRAY(e->ordered, n),
+        PM_ARRAY(e->series, n),        PM_ARRAY(e->body, (PM_REFERENCES + 1) * n),
+        PM_ARRAY(e->beside_struck, n), PM_ARRAY(e->ordered, n),
+        PM_ARRAY(e->next, n),          PM_ARRAY(e->order.beside, n),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     for (int i = 0; i < n && !status; i++) list_bodies(w->model, i, e->body + (PM_REFERENCES + 1) * i);
@@ -79,6 +79,7 @@ void pm_bounce_series_begin(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
         w->event->series[i] = (pm_bounce_series){.over = -INFINITY, .expected = -INFINITY};
+    w->event->order.n = 0;
 }
 
 /* The contacts that were struck and share a body with this one, itself among them. */
@@ -92,39 +93,14 @@ static int find_near(const pm_workspace *w, int contact)
 }
 
 /* ---- the order of blows ---- */
-/* The last blows of several contacts, the latest first. */
-typedef struct pm_blow_order {
-    int n, contact[PM_SERIES_BLOWS];
-    double time[PM_SERIES_BLOWS];
-} pm_blow_order;
+/* Some of them, without the latest. */
+typedef struct pm_blows {
+    int n;
+    const int *contact;
+    const double *time;
+} pm_blows;
 
-/* Those of one instant are entered in the order of the contacts: the latest is the last of them. */
-static int append_latest(const pm_event_set *e, int near, pm_blow_order *x)
-{
-    int latest = PM_NONE;
-    double time = -INFINITY;
-    for (int i = 0; i < near; i++) {
-        const pm_bounce_series *s = &e->series[e->beside_struck[i]];
-        const int k = e->ordered[i];
-        if (k >= s->known || s->struck[k] < time) continue;
-        latest = i;
-        time = s->struck[k];
-    }
-    if (latest == PM_NONE) return 0;
-    e->ordered[latest]++;
-    x->contact[x->n] = e->beside_struck[latest];
-    x->time[x->n++] = time;
-    return 1;
-}
-
-/* Whether there are so many; they are put in order as far as that. */
-static int has_blows(const pm_event_set *e, int near, pm_blow_order *x, int n)
-{
-    while (x->n < n && append_latest(e, near, x)) continue;
-    return x->n == n;
-}
-
-static double flight(const pm_blow_order *x, int i) { return x->time[i] - x->time[i + 1]; }
+static double flight(const pm_blows *x, int i) { return x->time[i] - x->time[i + 1]; }
 
 /* By how much flights may be off a ratio that has settled, as a part of the flight before.  What they are off shrinks from cycle
  * to cycle as they do, so that a coarse run takes a ratio as settled some cycles earlier. */
@@ -134,28 +110,35 @@ static double may_be_off(const pm_workspace *w, double ratio)
     return fmin(earlier * PM_SERIES_SETTLED, PM_SERIES_NEARLY) * ratio * (1 - ratio);
 }
 
-/* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
-static double ratio_of_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
+/* The last n blows were of the same contacts as those k before them. */
+static int comes_again(const pm_blows *x, int k, int n)
 {
-    const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
-    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED)) return 0;
-    const double share = may_be_off(w, ratio);
-    for (int i = 0; i <= k; i++) {
+    for (int i = 0; i < n; i++)
         if (x->contact[i] != x->contact[i + k]) return 0;
+    return 1;
+}
+
+/* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
+static double ratio_of_cycles(const pm_workspace *w, const pm_blows *x, int k)
+{
+    if (x->contact[0] != x->contact[k]) return 0;
+    const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
+    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED) || !comes_again(x, k, k + 1)) return 0;
+    const double share = may_be_off(w, ratio);
+    for (int i = 0; i <= k; i++)
         if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))
             return 0;
-    }
     return ratio;
 }
 
-static int is_in_cycle(const pm_blow_order *x, int k, int contact)
+static int is_in_cycle(const pm_blows *x, int k, int contact)
 {
     for (int i = 0; i < k; i++)
         if (x->contact[i] == contact) return 1;
     return 0;
 }
 
-static int several(const pm_blow_order *x, int k)
+static int several(const pm_blows *x, int k)
 {
     for (int i = 1; i < k; i++)
         if (x->contact[i] != x->contact[0]) return 1;
@@ -164,7 +147,7 @@ static int several(const pm_blow_order *x, int k)
 
 /* What one cycle tells of all that are struck in it; a blow out of its order ends what was known of the others: what bounces there
  * bounces otherwise from now on. */
-static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k, double ratio)
+static void tell(const pm_event_set *e, int near, const pm_blows *x, int k, double ratio)
 {
     for (int i = 0; i < near; i++) {
         pm_bounce_series *s = &e->series[e->beside_struck[i]];
@@ -177,30 +160,26 @@ static void tell(const pm_event_set *e, int near, const pm_blow_order *x, int k,
 
 /* Where the order comes again and the ratio has nearly settled: the end by that ratio, in a coarse run by the one before,
  * which shows how far it is known.  -INFINITY if not. */
-static double end_by_cycles(const pm_workspace *w, const pm_blow_order *x, int k)
+static double end_by_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
-    if (x->n < 3 * k + 1) return -INFINITY;
+    if (x->n < 3 * k + 1 || !comes_again(x, k, 2 * k)) return -INFINITY;
     const double last = x->time[0] - x->time[k], before = x->time[k] - x->time[2 * k];
     const double ratio = last / before, earlier = before / (x->time[2 * k] - x->time[3 * k]);
     if (!(ratio > 0 && fmax(ratio, earlier) < 1 &&
           fabs(ratio - earlier) < PM_SERIES_NEARLY * ratio * (1 - ratio)))
         return -INFINITY;
-    for (int i = 0; i < 2 * k; i++)
-        if (x->contact[i] != x->contact[i + k]) return -INFINITY;
     const double used = w->numbers.coarse > 1 ? earlier : ratio;
     return x->time[0] + last * used / (1 - used);
 }
 
 /* What touches now may only seem to: the blows before this instant tell. */
-static double expect_end(const pm_workspace *w, pm_blow_order *x)
+static double expect_end(const pm_workspace *w, const pm_blow_order *all)
 {
-    while (x->n > 0 && x->time[0] == w->state.t) {
-        x->n--;
-        memmove(x->time, x->time + 1, (size_t)x->n * sizeof *x->time);
-        memmove(x->contact, x->contact + 1, (size_t)x->n * sizeof *x->contact);
-    }
+    int now = 0;
+    while (now < all->n && all->time[now] == w->state.t) now++;
+    const pm_blows x = {all->n - now, all->contact + now, all->time + now};
     double end = -INFINITY;
-    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x->n; k++) end = end_by_cycles(w, x, k);
+    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x.n; k++) end = end_by_cycles(w, &x, k);
     return end;
 }
 
@@ -216,15 +195,17 @@ static void count_own(const pm_workspace *w, int near, int contact)
 
 static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
-    pm_blow_order x;
+    pm_event_set *e = w->event;
     double ratio = 0;
-    int k = x.n = 0;
-    memset(w->event->ordered, 0, (size_t)near * sizeof *w->event->ordered);
-    while (ratio == 0 && 2 * ++k + 2 <= PM_SERIES_BLOWS && has_blows(w->event, near, &x, 2 * k + 2))
+    pm_blow_order_put(e, near, contact);
+    const pm_blows x = {e->order.n, e->order.contact, e->order.time};
+    for (int k = 1; ratio == 0 && 2 * k + 2 <= PM_SERIES_BLOWS && pm_blow_order_has(e, near, 2 * k + 2);
+         k++) {
         ratio = ratio_of_cycles(w, &x, k);
-    if (ratio > 0) tell(w->event, near, &x, k, ratio);
-    for (int i = 0; i < near && ratio == 0; i++) w->event->series[w->event->beside_struck[i]].ratio = 0;
-    w->event->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &x);
+        if (ratio > 0) tell(e, near, &x, k, ratio);
+    }
+    for (int i = 0; i < near && ratio == 0; i++) e->series[e->beside_struck[i]].ratio = 0;
+    e->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &e->order);
 }
 
 void pm_bounce_series_strike(const pm_workspace *w, int contact)
@@ -238,7 +219,10 @@ void pm_bounce_series_strike(const pm_workspace *w, int contact)
     if (x->over == INFINITY) x->over = -INFINITY;
     const int near = find_near(w, contact);
     count_own(w, near, contact);
-    if (!(x->over > w->state.t)) look_for_cycles(w, near, contact);
+    if (!(x->over > w->state.t))
+        look_for_cycles(w, near, contact);
+    else
+        w->event->order.n = 0; /* it lacks this one */
 }
 
 int pm_bounce_series_is_settled(const pm_workspace *w, int contact)
@@ -369,6 +353,7 @@ int pm_bounce_series_end(pm_workspace *w)
         w->firing.jumped = x->over; /* by its last bounce */
         x->over = -INFINITY;
         x->ratio = x->known = x->own = 0;
+        w->event->order.n = 0;
         any = 1;
     }
     return any;

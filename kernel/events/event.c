@@ -292,20 +292,19 @@ void pm_event_set_multiples(pm_workspace *w)
 /* The nearest open member of a touching contact moves away with a definite speed: it may come back at once. */
 static int leaves(const pm_frame *frame, const pm_state *state, int contact)
 {
-    int member;
+    int member = 0;
     double rate;
-    pm_contact_gap(frame, state, contact, &member);
+    if (!pm_contact_is_single(frame->model, contact)) pm_contact_gap(frame, state, contact, &member);
     pm_contact_member_gap(frame, contact, member, &rate);
     return rate > pm_contact_speed(frame);
 }
 
 /* What parts goes up from where it is, though that be too deep by what touching allows: from below zero a short bounce would
  * not be seen. */
-static void leave_from(pm_workspace *w, pm_event_function *f)
+static void leave_from(const pm_workspace *w, pm_event_function *f, double value)
 {
     f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
     if (f->pattern != PM_NONE) return;
-    const double value = pm_event_value(w, f);
     if (value < -f->slack && value >= -pm_contact_length(&w->frame)) f->sunk = -value;
 }
 
@@ -325,14 +324,17 @@ void pm_event_begin(pm_workspace *w)
             add(&w->phase, w->event, FUNCTION_TRACK, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
                 w->numbers.size);
     e->first_step = 1;
-    pm_gap_culling_begin(&w->event->culling, &w->frame);
+    if (e->nsampled > 0) pm_gap_culling_begin(&w->event->culling, &w->frame);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
     pm_event_set_multiples(w);
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
-        if (pm_event_changes_sign(f) || pm_event_value(w, f) > f->slack) continue;
+        /* of what the route finds itself only the log of decisions wants to know how it begins */
+        if (pm_event_changes_sign(f) || (f->owned && !w->evidence.active)) continue;
+        const double value = pm_event_value(w, f);
+        if (value > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(&w->frame, &w->state, f->index)) leave_from(w, f);
+        if (f->kind == FUNCTION_GAP && leaves(&w->frame, &w->state, f->index)) leave_from(w, f, value);
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }

@@ -85,6 +85,13 @@ typedef struct pm_bounce_series {
     double over; /* s: it bounces until then; -INFINITY: it does not */
 } pm_bounce_series;
 
+/* The last blows of several contacts, the latest first. */
+typedef struct pm_blow_order {
+    int n, contact[PM_SERIES_BLOWS];
+    double time[PM_SERIES_BLOWS]; /* s */
+    int near, *beside;            /* [ncontact] of which contacts they are */
+} pm_blow_order;
+
 typedef struct pm_event_set {
     pm_event_function *function;
     int nfunction;
@@ -108,6 +115,8 @@ typedef struct pm_event_set {
     int *body; /* [ncontact][PM_REFERENCES + 1] whom a contact touches but the ground; PM_NONE ends them */
     int *beside_struck;       /* [ncontact] those that share a body with one that is struck */
     int *ordered;             /* [ncontact] of each of these, its blows that are in their order already */
+    pm_blow_order order;      /* of their blows, as far as they were looked at */
+    double *next;             /* [ncontact] and s, the latest of the others; -INFINITY: there is none */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
     double *last;         /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
     double *came;         /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */

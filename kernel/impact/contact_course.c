@@ -300,6 +300,7 @@ static void begin(pm_contact_course *x)
     x->size = 0;
     memset(x->impulse, 0, (size_t)pm_contact_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < n; i++) x->size = fmax(x->size, fabs(x->velocity[i]));
+    x->stretch.doubt = PM_COURSE_DOUBT * x->size;
     for (int i = 1; i < n; i += 2)
         if (fabs(x->velocity[i]) <= x->no_slip) x->velocity[i] = 0;
     for (int k = 0; k < x->m; k++)

@@ -354,6 +354,16 @@ static int leaves_end(pm_workspace *w, int *status)
     return left;
 }
 
+/* Nothing is closed, and nothing was let go that might approach. */
+static int all_are_free(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    if (w->active.n > 0 || w->active.nredundant > 0 || m->nfriction > 0 || m->nteeth > 0) return 0;
+    for (int i = 0; i < m->nslot; i++)
+        if (w->state.slot[i].mode != PM_OPEN || w->instant.slot_released[i]) return 0;
+    return 1;
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
     const int most = 2 * (w->model->nfriction + w->model->nteeth) + PM_MODES_ROUNDS;
@@ -362,6 +372,7 @@ int pm_contact_modes_settle(pm_workspace *w)
     for (int i = 0, changed = 1; i < most; i++) {
         take_back(w);
         int status = accelerate(w);
+        if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
         if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);
         if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);

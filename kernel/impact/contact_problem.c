@@ -64,7 +64,7 @@ double pm_contact_problem_friction(const pm_contact_problem *x, int i, double mu
 static double scale_problem(pm_contact_problem *x)
 {
     const int n = 2 * x->n;
-    double largest = 0, most = 0;
+    double largest = 0, most = 0, greatest = 0;
     for (int i = 0; i < n; i++) most = fmax(most, fabs(x->response[i * n + i]));
     for (int i = 0; i < n; i++) {
         const double own = fabs(x->response[i * n + i]),
@@ -77,7 +77,9 @@ static double scale_problem(pm_contact_problem *x)
         const double unit = x->scale[i] > 0 ? x->scale[i] : most > 0 ? 1 / sqrt(most) : 1;
         x->b[i] = x->contact[i / 2].bias[i % 2] * unit;
         largest = fmax(largest, fabs(x->b[i]));
+        greatest = fmax(greatest, x->scale[i]);
     }
+    x->rounded = largest > 0 ? x->doubt * greatest / largest : 0;
     for (int i = 0; i < n && largest > 0; i++) x->b[i] /= largest;
     return largest;
 }
@@ -127,10 +129,10 @@ static int solve_trial(pm_contact_problem *x)
     int *unknown = x->basis;
     const int m = assemble(x, unknown);
     memset(x->p, 0, 2 * (size_t)x->n * sizeof *x->p);
-    x->is_sound = 1;
+    x->least = 1;
     if (m > 0) {
         if (pm_dense_lu_factor(m, x->system, x->pivot)) return 0;
-        for (int k = 0; k < m; k++) x->is_sound &= fabs(x->system[k * (m + 1)]) > PM_PROBLEM_SOUND;
+        for (int k = 0; k < m; k++) x->least = fmin(x->least, fabs(x->system[k * (m + 1)]));
         pm_dense_lu_solve(m, x->system, x->pivot, x->right);
     }
     for (int k = 0; k < m; k++) {
@@ -178,8 +180,16 @@ int pm_contact_problem_trial_holds(pm_contact_problem *x)
 }
 
 /* ---- what was found ---- */
-/* What rounding makes of rates and loads; others may be as large as the tie where contacts nearly lock. */
-static double rounding(const pm_contact_problem *x) { return PM_PROBLEM_EXACT / PM_PROBLEM_TIE * slack(x); }
+/* The equations of the trial are far from singular. */
+static int is_sound(const pm_contact_problem *x) { return x->least > PM_PROBLEM_SOUND; }
+
+/* What rounding makes of rates and loads, the more the nearer its equations are to singular; others may be as large as the tie
+ * where contacts nearly lock. */
+static double rounding(const pm_contact_problem *x)
+{
+    const double tie = slack(x), solved = fmax(PM_PROBLEM_EXACT, PM_PROBLEM_SOLVED / x->least);
+    return fmin(tie, fmax(solved / PM_PROBLEM_TIE * tie, x->rounded));
+}
 
 static int is_exact(const pm_contact_problem *x) { return x->missed <= rounding(x); }
 
@@ -263,7 +273,7 @@ static double speed_left(const pm_contact_problem *x)
 /* Other loads of the motion that is kept, where `count` have been found; those that rounding may have made do not count. */
 static void add_loads(pm_contact_problem *x, double unit, int *count)
 {
-    if (!x->is_sound || difference(x, slack(x)) != PM_NONE) return;
+    if (!is_sound(x) || difference(x, slack(x)) != PM_NONE) return;
     for (int i = 0; i < 2 * x->n; i++)
         x->load[i] = (*count > 0 ? x->load[i] : 0) + x->p[i] * x->scale[i] * unit;
     ++*count;
@@ -299,7 +309,7 @@ static void enumerate(pm_contact_problem *x, double unit)
         best = now;
         if (is_same || (!is_first && speed_left(x) >= slowest)) continue;
         slowest = speed_left(x);
-        found = x->is_sound;
+        found = is_sound(x);
         keep(x, unit);
     } while (next_trial(x));
     for (int i = 0; i < 2 * x->n && found > 1; i++) x->load[i] /= found;

@@ -31,6 +31,7 @@ typedef struct pm_contact_problem {
     int tries, sweeps; /* beginnings of Lemke's method; sweeps over the contacts where all else fails */
     pm_contact_problem_contact *contact; /* [n] */
     double *response;                    /* [2n][2n] W */
+    double doubt;                        /* of each b: rounding of what it was made of; 0: that of b itself */
     /* what was found */
     int *mode;    /* [n] enum pm_contact_mode */
     double *load; /* [2n] p */
@@ -40,8 +41,9 @@ typedef struct pm_contact_problem {
     /* scratch, in units of the problem's own */
     double *scaled, *scale, *b, *p, *a, *best, *system, *right, *lemke;
     int *trial, *pivot, *basis;
-    int is_sound;  /* the equations of the trial are far from singular */
-    double missed; /* by how much its loads miss what the laws ask for */
+    double rounded; /* the doubt, in these units */
+    double least;   /* pivot of the equations of the trial, at most 1 */
+    double missed;  /* by how much its loads miss what the laws ask for */
 } pm_contact_problem;
 
 /* Memory for `most` contacts, which the arena owns; PM_NO_MEMORY. */

@@ -47,6 +47,7 @@ int pm_impact_create(pm_workspace *w)
         PM_ARRAY(b->before, m->nq),
         PM_ARRAY(b->after, m->nq),
         PM_ARRAY(b->response, m->nq),
+        PM_ARRAY(b->apart, m->rows[PM_TABLE_CONTACT]),
         PM_ARRAY(b->resting, m->nslot),
         PM_ARRAY(b->trial, m->nslot),
         PM_ARRAY(b->share, m->nslot),
@@ -86,15 +87,30 @@ static int rests_beside(const pm_workspace *w, int contact, pm_touch *x)
            !pm_contact_modes_released(w->model, &w->instant, contact, x->member);
 }
 
+/* No member is closed. */
+static int is_open(const pm_workspace *w, int contact)
+{
+    const int first = w->model->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
+        if (w->state.slot[i].mode != PM_OPEN) return 0;
+    return 1;
+}
+
+/* Nothing moves in a blow: what is open and does not touch before it does not touch after it. */
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
     *x = (pm_touch){.stays = 1};
+    if (w->blow->apart[contact] == PM_PARTED) return 0;
+    if (w->blow->apart[contact]) return rests_beside(w, contact, x);
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
-    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) return rests_beside(w, contact, x);
+    if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) {
+        w->blow->apart[contact] = is_open(w, contact) ? PM_APART : PM_NOT_APART;
+        return rests_beside(w, contact, x);
+    }
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);
-    if (!pm_last_bounce_is_near(w, contact, x->rate)) {
+    if (!w->blow->series_ends && !pm_last_bounce_is_near(w, contact, x->rate)) {
         /* speeds below it neither strike nor part; that of the main pass in a coarse run, too */
         const double none = pm_contact_speed(&w->frame) / w->numbers.coarse;
         pm_evidence_sign(&w->evidence, PM_SITE_STRIKES, contact, x->rate + none, w->numbers.speed);
@@ -222,6 +238,8 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     const pm_model *m = w->model;
     int status = PM_OK;
     pm_joint_friction_release(w);
+    for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++)
+        if (b->apart[i] == PM_PARTED) b->apart[i] = PM_NOT_APART;
     for (int i = 0; i < m->nslot; i++) {
         const int captured = w->state.slot[i].mode == PM_CAPTURED;
         b->resting[i] = b->share[i] == PM_STRUCK ? PM_OPEN : w->state.slot[i].mode;
@@ -238,7 +256,8 @@ static int one_blow(pm_workspace *w, pm_blow *b)
     pm_impact_followed_close(w, b);
     if (b->several && PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_OPEN)
         pm_impact_order_look(w, b);
-    pm_evidence_blow(&w->evidence, ends_series(w, b) ? PM_EVIDENCE_LAST_BLOW : b->approach);
+    if (w->evidence.active)
+        pm_evidence_blow(&w->evidence, ends_series(w, b) ? PM_EVIDENCE_LAST_BLOW : b->approach);
     pm_impact_end_modes(w, b);
     pm_joint_friction_close(&w->frame, &w->state);
     w->result.count[PM_COUNT_JUMPS]++;
@@ -347,10 +366,11 @@ int pm_impact(pm_workspace *w, int *jumped)
     if (m->nslot == 0) return PM_OK;
     pm_blow *b = w->blow;
     b->series_ends = 0;
+    memset(b->apart, 0, (size_t)m->rows[PM_TABLE_CONTACT]);
     for (int i = 0;; i++) {
         int struck;
         memset(b->share, PM_OUT, (size_t)m->nslot);
-        pm_frame_look_state(&w->frame, &w->state);
+        if (i == 0) pm_frame_look_state(&w->frame, &w->state); /* else it does since the blow */
         int status = find_struck(w, b, &struck);
         if (status || struck == 0) return status;
         if (i == PM_BLOWS_AT_ONCE)
@@ -366,7 +386,9 @@ int pm_impact(pm_workspace *w, int *jumped)
 int pm_impact_goes_on(pm_workspace *w)
 {
     pm_touch x;
-    for (int i = 0; pm_impact_one_by_one(w->model) && i < w->model->rows[PM_TABLE_CONTACT]; i++)
+    if (!pm_impact_one_by_one(w->model)) return 0;
+    memset(w->blow->apart, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
         if (touches(w, i, &x) && is_blow(w->model, i, &x)) return 1;
     return 0;
 }

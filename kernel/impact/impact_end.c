@@ -7,6 +7,8 @@
 #include "equations/active_set.h"
 #include "equations/shared_reading.h"
 #include "events/bounce_series.h"
+#include "events/event.h"
+#include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances_impact.h"
@@ -58,11 +60,12 @@ void pm_impact_end_record_contact(pm_workspace *w, int slot, const pm_constraint
                                   const pm_constraint *tangent, const double impulse[2])
 {
     const pm_constraint *c[] = {normal, tangent};
+    memcpy(w->impulses.slot + 2 * slot, impulse, 2 * sizeof *impulse);
+    if (!w->model->programs.read_impulses) return;
     const double side = pm_contact_constraint_side(&w->frame, pm_contact_of_slot(w->model, slot), normal);
     for (int k = 0; k < 2; k++) {
         pm_line_of_action along;
         pm_constraint_kind(c[k]->kind)->act(&w->frame, c[k], &along);
-        w->impulses.slot[2 * slot + k] = impulse[k];
         for (int i = 0; i < 2; i++)
             w->impulses.slot_direction[4 * slot + 2 * k + i] = side * along.direction[i];
     }
@@ -80,7 +83,8 @@ static void record_contact(pm_workspace *w, int slot)
     const double impulse[] = {p, along >= 0         ? w->saddle.rhs[along]
                                  : along == PM_NONE ? normal->slide * p
                                                     : 0};
-    pm_impact_end_record_contact(w, slot, normal, tangent_of(w, slot, &spare), impulse);
+    const pm_constraint *tangent = w->model->programs.read_impulses ? tangent_of(w, slot, &spare) : normal;
+    pm_impact_end_record_contact(w, slot, normal, tangent, impulse);
 }
 
 void pm_impact_end_record(pm_workspace *w)
@@ -114,11 +118,29 @@ static void tell_modes(pm_workspace *w)
         pm_evidence_mix(&w->evidence.present->log, (uint32_t)w->state.slot[i].mode);
 }
 
+/* Nothing else is to be found of what has one member, and parts. */
+static void note_parting(const pm_workspace *w, pm_blow *b, int contact)
+{
+    if (pm_contact_is_single(w->model, contact) && !w->event->spent[contact] && !w->evidence.active)
+        b->apart[contact] = PM_PARTED;
+}
+
+/* What was closed, and the blow presses beyond rounding, does not bounce any more. */
+static void press(const pm_workspace *w, const pm_blow *b)
+{
+    double most = 0;
+    for (int i = 0; i < w->model->nslot; i++) most = fmax(most, w->impulses.slot[2 * i]);
+    for (int i = 0; i < w->model->nslot; i++)
+        if (b->share[i] == PM_JOINED && w->impulses.slot[2 * i] > PM_BLOW_ROUNDING * most)
+            pm_last_bounce_press(w, pm_contact_of_slot(w->model, i));
+}
+
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact
  * that slid and stays without slip sticks from the blow on. */
 void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
 {
     int series_ends = 0;
+    press(w, b);
     for (int i = 0; i < w->model->nslot; i++) {
         const int contact = pm_contact_of_slot(w->model, i), member = w->state.slot[i].member;
         double rate;
@@ -126,6 +148,7 @@ void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
         w->state.slot[i].mode = PM_OPEN;
         if (b->share[i] == PM_OUT && b->resting[i] == PM_OPEN) continue;
         pm_contact_member_gap(&w->frame, contact, member, &rate);
+        if (rate > pm_contact_speed(&w->frame)) note_parting(w, b, contact);
         if (fabs(rate) > pm_contact_speed(&w->frame))
             continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member);

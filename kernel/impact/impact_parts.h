@@ -13,6 +13,9 @@
 /* Which part a slot takes. */
 enum pm_share { PM_OUT = 0, PM_STRUCK = 1, PM_JOINED = 2, PM_DROPPED = 3 };
 
+/* What is known of an open contact while blows follow each other at one instant: it does not touch, or the last blow made it part. */
+enum pm_apart { PM_NOT_APART = 0, PM_APART = 1, PM_PARTED = 2 };
+
 /* How the blow of one contact ends, where that is known before its equations are solved. */
 typedef struct pm_impact_given {
     int is;
@@ -24,6 +27,7 @@ typedef struct pm_impact_given {
 typedef struct pm_blow {
     unsigned char *share; /* [nslot] enum pm_share */
     unsigned char *held;  /* [nslot] closed after the blow, whatever it would do */
+    unsigned char *apart; /* [ncontact] enum pm_apart */
     int32_t *resting;     /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
     int32_t *trial;       /* [nslot] enum pm_contact_mode in the blow of what takes part */
     double *before;       /* [nq] velocities before the blow, m/s and rad/s */

@@ -243,18 +243,24 @@ static int is_closed_in(const pm_blow *b, int slot)
     return (b->share[slot] != PM_OUT || b->resting[slot] != PM_OPEN) && b->trial[slot] != PM_CAPTURED;
 }
 
+static int closed_in(const pm_workspace *w, const pm_blow *b)
+{
+    int n = 0;
+    for (int i = 0; i < w->model->nslot; i++) n += is_closed_in(b, i);
+    return n;
+}
+
 /* A body rocks on two contacts or more; one alone bounces (events/last_bounce.h). */
 static int one_rocks(const pm_workspace *w, const pm_blow *b)
 {
-    int closed = 0, parts = 0;
+    int parts = 0;
     for (int i = 0; i < w->model->nslot; i++) {
         if (!is_closed_in(b, i)) continue;
         const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
         const double rate = pm_constraint_times(&w->frame, &normal, b->after) - normal.rate;
-        closed++;
         parts |= pm_last_bounce_is_held(w, pm_contact_of_slot(w->model, i), rate);
     }
-    return parts && closed > 1;
+    return parts;
 }
 
 int pm_impact_is_slow(const pm_workspace *w, const pm_blow *b)
@@ -312,7 +318,7 @@ static int solve_held(pm_workspace *w, pm_blow *b)
 
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
 {
-    *holds = pm_impact_is_slow(w, b) && one_rocks(w, b);
+    *holds = closed_in(w, b) > 1 && pm_impact_is_slow(w, b) && one_rocks(w, b);
     if (!*holds) return PM_OK;
     for (int i = 0; i < w->model->nslot; i++) {
         if (!is_closed_in(b, i)) continue;

@@ -34,9 +34,9 @@ static int closing_contact(const pm_event_set *event)
 /* s, from the time of the state to that of the blow; 0 if it is no rounding of it. */
 static double time_left(const pm_workspace *w, int contact)
 {
-    int member;
+    int member = 0;
     double rate;
-    pm_contact_gap(&w->frame, &w->state, contact, &member);
+    if (!pm_contact_is_single(w->model, contact)) pm_contact_gap(&w->frame, &w->state, contact, &member);
     const double gap = pm_contact_member_gap(&w->frame, contact, member, &rate);
     if (!(rate < -pm_contact_speed(&w->frame))) return 0;
     const double most = PM_MEETING_ROUNDINGS * PM_EPSILON * fabs(w->state.t), left = -gap / rate;

@@ -15,6 +15,7 @@
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
 #define PM_PROBLEM_LEMKE_TIE 1e-9 /* likewise of Lemke's loads, which only propose modes; likewise */
 #define PM_PROBLEM_EXACT 1e-13 /* likewise: obeyed to rounding, which goes before what is obeyed within the tie; larger: next to places where contacts lock motions count as several, smaller: rounding chooses one of several */
+#define PM_PROBLEM_SOLVED 1e-15 /* of the loads, over the least pivot of their equations: likewise; smaller: rounding chooses one of several */
 #define PM_PROBLEM_SAME 1e-7 /* of the scaled rates: the same motion; larger: motions that differ are taken for one */
 #define PM_PROBLEM_LARGEST 1e9 /* scaled load: beyond it the mode has no unique loads; larger: rounding is taken for loads */
 #define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
@@ -45,6 +46,7 @@
 #define PM_COURSE_LOCKED 1e-13 /* of the normal response: what friction leaves of it where it holds the pair; larger: pairs that part are held */
 #define PM_COURSE_IMMOBILE 1e-14 /* of the normal response: along the tangent nothing moves; larger: friction is left out */
 #define PM_COURSE_ROUNDING 1e-12 /* of the greatest velocity of a blow: none; larger: approaches are passed over */
+#define PM_COURSE_DOUBT 1e-14 /* of the greatest velocity of a blow: rounding of those that a stretch begins with; larger: next to places where contacts lock motions count as several, smaller: rounding chooses one of several */
 #define PM_COURSE_SAME 1e-10 /* of a stretch: what ends so soon after it ends with it; larger: slips that end soon after count as none, smaller: rounding makes stretches */
 #define PM_COURSE_ALMOST 1e-9 /* of the greatest velocity of a blow: a slip that is left, where no motion goes on with it and one may without; larger: slips that go on are stopped */
 #define PM_COURSE_COUNTED 5 /* contacts of a blow that is followed: up to here the order in the file decides nothing; more: 4 times dearer each */

@@ -180,11 +180,12 @@ static int phase(pm_workspace *w, int *ended)
     if (!status) status = pm_disturb(w);
     if (!status) status = pm_perturbation_leave(w);
     if (!status) status = pm_plan_phase(w);
-    pm_frame_look_state(&w->frame, &w->state);
-    if (!status && w->phase.route->reuses_segments)
+    if (!status && w->phase.route->reuses_segments) {
+        pm_frame_look_state(&w->frame, &w->state);
         status = pass_segments(w, &passed);
-    else
+    } else {
         forget_segments(w);
+    }
     if (!status && passed) status = pm_plan_phase(w);
     if (status) return status;
     pm_frame_look_state(&w->frame, &w->state);

@@ -121,6 +121,8 @@ static void look_at_programs(pm_model *m)
     for (int i = 0; i < m->rows[PM_TABLE_PROGRAM]; i++)
         m->programs.read_time |= pm_program_class_reads_time(m, i);
     m->programs.read_time |= PM_SETTING(m, PM_SETTING_MAX_TIME) >= 0;
+    for (int i = 0; i < m->rows[PM_TABLE_MEASURE]; i++)
+        m->programs.read_impulses |= PM_MEASURE_ROW(m, i)[PM_MEASURE_KIND] == PM_MEASURE_CONTACT_IMPULSE;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
         if (PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM] >= 0)
             look_at_watched(m, PM_TRIGGER_ROW(m, i)[PM_TRIGGER_PROGRAM]);

@@ -102,8 +102,8 @@ double pm_frame_kinetic(const pm_frame *frame, int i)
         return sum;
     }
     const double *v = frame->velocity + 3 * i;
-    return 0.5 *
-           (frame->numbers->mass[i] * (v[0] * v[0] + v[1] * v[1]) + pm_frame_inertia(frame, i) * v[2] * v[2]);
+    const double forth = frame->numbers->mass[i] * (v[0] * v[0] + v[1] * v[1]);
+    return 0.5 * (v[2] == 0 ? forth : forth + pm_frame_inertia(frame, i) * v[2] * v[2]);
 }
 
 void pm_frame_momentum(const pm_frame *frame, int i, double momentum[3])
@@ -121,7 +121,8 @@ void pm_frame_momentum(const pm_frame *frame, int i, double momentum[3])
     const double *pose = frame->pose + 5 * i, *v = frame->velocity + 3 * i, m = frame->numbers->mass[i];
     momentum[0] = m * v[0];
     momentum[1] = m * v[1];
-    momentum[2] = pm_frame_inertia(frame, i) * v[2] + pose[0] * momentum[1] - pose[1] * momentum[0];
+    const double spin = v[2] == 0 ? 0 : pm_frame_inertia(frame, i) * v[2];
+    momentum[2] = spin + pose[0] * momentum[1] - pose[1] * momentum[0];
 }
 
 double pm_frame_weight_energy(const pm_frame *frame)

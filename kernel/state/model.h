@@ -28,6 +28,7 @@ typedef struct pm_model_programs {
     int sample_time;              /* some trigger, extreme or grid does */
     int watch_counts;             /* what is watched in a step reads the count or time of an event */
     int wait_for_counts;          /* some trigger does */
+    int read_impulses;            /* some measure reads the impulse of a contact as a vector */
     int integrals;                /* some ask is an integral over the time */
     struct pm_program_fold *fold; /* the programs as they are run within a case */
 } pm_model_programs;

@@ -257,8 +257,8 @@ FAULTS = [
     Fault(
         "series: the order of its blows is not looked at",
         "events/bounce_series.c",
-        "2 * ++k + 2 <= PM_SERIES_BLOWS &&",
-        "2 * ++k + 2 <= 4 &&",
+        "2 * k + 2 <= PM_SERIES_BLOWS &&",
+        "2 * k + 2 <= 4 &&",
     ),
     Fault(
         "series: a coarse run ends it where the main one does",

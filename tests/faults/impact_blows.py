@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "jump: what parts as a series is cut off is a decision",
+        "impact/impact.c",
+        "if (!w->blow->series_ends && !pm_last",
+        "if (!pm_last",
+    ),
+    Fault(
+        "series: what bounces without an end does so though it is pressed on",
+        "impact/impact_end.c",
+        "w->impulses.slot[2 * i] > PM_BLOW_ROUNDING * most)",
+        "w->impulses.slot[2 * i] > 2 * most)",
+    ),
+    Fault(
         "contacts that depend on each other at the place of a blow all hold",
         "impact/impact_trial.c",
         "if (!status && !w->active.clear && pm_active_set_let_loose(w) > 0)",
@@ -14,6 +26,12 @@ FAULTS = [
         "impact/impact_trial.c",
         "return b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",
         "return b->equations ? PM_SLIDE_FORWARD : b->given[slot].is ? PM_SLIDE_FORWARD : b->trial[slot];",
+    ),
+    Fault(
+        "what a blow made part is not struck by the next one at the same instant",
+        "impact/impact.c",
+        "if (b->apart[i] == PM_PARTED) b->apart[i] = PM_NOT_APART;",
+        "",
     ),
     Fault(
         "blows at one instant that shrink are given up",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "course: what a stretch begins with counts as exact",
+        "impact/contact_course.c",
+        "x->stretch.doubt = PM_COURSE_DOUBT * x->size;",
+        "x->stretch.doubt = 0;",
+    ),
+    Fault(
         "course: next to nothing of a slip that is left wedges what could go on",
         "impact/contact_course.c",
         "if (found == 0 && i > 0 && end_slips(x))",

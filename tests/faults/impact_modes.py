@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "contact problem: equations that are nearly singular are solved exactly",
+        "impact/contact_problem.c",
+        "solved = fmax(PM_PROBLEM_EXACT, PM_PROBLEM_SOLVED / x->least);",
+        "solved = PM_PROBLEM_EXACT;",
+    ),
+    Fault(
         "of contacts that depend on others for an instant one alone is let go",
         "impact/contact_modes_settle.c",
         "for (int most = 1; most <= PM_LET_GO_FEW; most++)",

@@ -147,6 +147,35 @@ static void decided_after_a_series(double below)
     scene_free(s);
 }
 
+/* A box that clatters in a gutter: as a series of its blows is cut off another corner parts, at a speed that goes with where it was
+ * cut off, to which it is no decision whether it does. */
+static void parts_as_a_series_ends(void)
+{
+    const double w = 0.11639900211229276, h = 0.1345964781375803, mass = 3.8307741582055037,
+                 walls[2] = {0.980182882547058, -1.067336342849954};
+    scene *s = estimating(1e-10);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_AUTO;
+    const int box =
+        scene_body(s, mass, mass * (w * w + h * h) / 12, 0, 1.546035369806631, 0.6621735198581873);
+    const int centre = scene_point(s, box, 0, 0);
+    scene_start_velocity(s, centre, 0.8917350609440411, -0.6384994655646254);
+    scene_start_omega(s, box, 4.30322852298084);
+    for (int i = 0; i < 2; i++) {
+        const int wall = scene_line(s, scene_point(s, PM_GROUND, 0, 0), walls[i]);
+        for (int k = 0; k < 4; k++) {
+            const int corner =
+                scene_point(s, box, (k == 1 || k == 2 ? 0.5 : -0.5) * w, (k < 2 ? -0.5 : 0.5) * h);
+            scene_contact(s, PM_CONTACT_LINE, scene_circle(s, corner, 0), wall, 0, 0.5, PM_FRICTION_COULOMB,
+                          0.9);
+        }
+    }
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, box), 1);
+    scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, centre, PM_PART_X));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    NEAR(s->out[0], -0.00120375788, 1e-9);
+    scene_free(s);
+}
+
 int main(void)
 {
     counted_events();
@@ -159,5 +188,6 @@ int main(void)
         }
     for (int n = 20; n < 40; n++) blow_too_late(0.36, n);
     for (int i = 4; i < 10; i++) decided_after_a_series(pow(10, -i));
+    parts_as_a_series_ends();
     return check_failures();
 }

@@ -103,6 +103,32 @@ static void hardly_any_slip_is_left(void)
     }
 }
 
+/* All slips but 0.1 % have ended: then the body may stop dead, or slide on at two of its contacts, which is hardly another motion
+ * and known no better than the velocities of the whole blow.  There are two in whatever order, and however it is rounded. */
+static void stopped_or_not(void)
+{
+    const double at[4][5] = {
+        {-0.42557090918587465, -0.1628595766621585, 8.27564340260227, 0.6949215748933685, 0},
+        {0.0901621213682595, -0.2547810341910145, 6.987636981898612, 0.5313046126884096, 0.6842995515414615},
+        {0.28610916882594956, 0.3937316216614984, 8.275750965190893, 0, 0.25822147313226984},
+        {-0.10442603029055557, 0.2634609321274887, 13.730222345988413, 0.8740962098489833, 0}};
+    const double before[3] = {1.0371435720118074, 0.24149134695640867, -2.7114116599176405};
+    for (int k = 0; k < 300; k++) {
+        double after[6];
+        problem x = one_body(PM_LAW_POISSON, 1.4913913214574754, 0.13310993014218925, before, 0, at);
+        for (int i = 0; i < 4; i++) {
+            const double *of = at[(i + k) % 4];
+            add_contact(&x, of[0], of[1], of[2], PM_LAW_POISSON);
+            x.mu[i] = of[3], x.e[i] = of[4];
+        }
+        for (int q = 0; q < 3; q++) {
+            x.velocity[q] *= 1 + check_random(-4e-16, 4e-16);
+            for (int i = 0; i < 8; i++) x.jacobian[i][q] *= 1 + check_random(-4e-16, 4e-16);
+        }
+        EQUAL(follow(&x, after), 2);
+    }
+}
+
 int main(void)
 {
     EQUAL(pm_contact_course_create(&course, &memory, MOST, 0), 0);
@@ -110,6 +136,7 @@ int main(void)
     stopped_for_good();
     hardly_any_slip_is_left();
     wedged_by_slips_in_turn();
+    stopped_or_not();
     pm_arena_free(&memory);
     return check_failures();
 }

@@ -227,6 +227,32 @@ static void next_to_a_lock(pm_contact_problem *p)
     EQUAL(pm_contact_problem_solve(p), 2);
 }
 
+/* A body that one foot could hold is pressed on another one, whose normal goes by the first to 1e-4: it stops, with both, or turns
+ * about the first.  That it stops is one motion on the edge of two slips, which the equations tell no better than to 1e-12. */
+static void stops_on_the_edge_of_a_slip(pm_contact_problem *p)
+{
+    const double at[2][2] = {{0.34133452909113265, 0.03509728748897534},
+                             {0.016953540036066736, 0.35983665122867353}};
+    const double angle[2] = {7.448865905811973, 10.210207085583885},
+                 mu[2] = {1.0627828682193312, 0.8956012197166076};
+    p->counted = 4;
+    p->tried = 7;
+    for (int k = 0; k < 300; k++) {
+        problem x = {.velocity = {1.2240314991074075, 0.26061553336782933, -3.5288967957561086}};
+        x.inverse[0] = x.inverse[1] = 1 / 5.07976064855147;
+        x.inverse[2] = 1 / 0.13994356309927589;
+        for (int i = 0; i < 2; i++) {
+            const int of = (i + k) % 2;
+            add_contact(&x, 0, -1, at[of], at[of], angle[of]);
+        }
+        for (int i = 0; i < 4; i++)
+            for (int q = 0; q < 3; q++) x.jacobian[i][q] *= 1 + check_random(-4e-16, 4e-16);
+        pose(&x, 1, 0, p);
+        for (int i = 0; i < 2; i++) p->contact[i].hold = p->contact[i].rub = mu[(i + k) % 2];
+        EQUAL(pm_contact_problem_solve(p), 2);
+    }
+}
+
 int main(void)
 {
     pm_arena arena = {0};
@@ -237,6 +263,7 @@ int main(void)
         for (int k = 0; k < 3; k++)
             for (int e = 0; e < 2; e++) laws(&p, family, k == 0 ? 0 : k == 1 ? 0.3 : 1.2, 0.6 * e);
     next_to_a_lock(&p);
+    stops_on_the_edge_of_a_slip(&p);
     pm_arena_free(&arena);
     return check_failures();
 }

@@ -217,6 +217,30 @@ static void bounces_about_its_equilibrium(double e, double behind)
     scene_free(s);
 }
 
+/* The same, drawn to the floor itself, moves along it to a wall.  One that leans over it presses it on: there it stays.  Beside an
+ * upright one it bounces on. */
+static void bounces_until_it_is_pressed(double leans)
+{
+    flight t = thrown(0.02, 0);
+    scene *s = t.s;
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    const int floor = scene_line(s, scene_point(s, PM_GROUND, 0, -0.1), 0),
+              wall = scene_line(s, scene_point(s, PM_GROUND, 0.2, -0.1), M_PI_2 + leans),
+              rim = scene_circle(s, t.point, 0);
+    scene_contact(s, PM_CONTACT_LINE, rim, floor, 0, 0.2, PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, rim, wall, 0, 0, PM_FRICTION_SMOOTH, 0);
+    scene_applied(s, t.point, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, 0)),
+                  SCENE_PROGRAM(s, scene_k(s, -100), scene_m(t.y), scene_k(s, 0.1), scene_op(PM_OP_ADD),
+                                scene_op(PM_OP_MUL)));
+    scene_until(s, scene_on(s, PM_TRIGGER_REST, t.body), 1);
+    const int at = scene_ask_measure(s, t.time), status = scene_run(s, NULL);
+    EQUAL(status, leans > 0 ? PM_OK : PM_BOUNCES_ON);
+    if (leans > 0) NEAR(s->out[at], 10, 1e-8);
+    scene_free(s);
+}
+
 static void start_event(void)
 {
     flight t = thrown(2, 8);
@@ -314,6 +338,8 @@ int main(void)
         bounces_about_its_equilibrium(e, 0);
         for (double behind = 3e-6; behind < 1; behind *= 10) bounces_about_its_equilibrium(e, behind);
     }
+    bounces_until_it_is_pressed(0);
+    bounces_until_it_is_pressed(0.3);
     start_event();
     due_at_the_start();
     groups();

@@ -14,6 +14,7 @@
 #include "elements/contact_curve.h"
 #include "elements/joint_friction.h"
 #include "equations/case.h"
+#include "equations/ledger.h"
 #include "equations/projection.h"
 #include "events/ask.h"
 #include "events/event.h"
@@ -141,6 +142,8 @@ static int prepare(pm_workspace *w)
         pm_capture_awaits(&w->frame, &w->state))
         return 0;
     u->t0 = w->state.t;
+    u->looked = NAN;
+    u->rests = pm_ledger_rests(w);
     u->begin = u->end = 0;
     u->irregular = u->status = 0;
     memcpy(u->q0, w->state.q, (size_t)nq * sizeof(double));
@@ -271,7 +274,7 @@ static void note_decisions(pm_workspace *w)
 static int go_to_end(pm_workspace *w, double limit, double t_limit)
 {
     pm_uniform *u = w->uniform;
-    pm_uniform_rates_after(w, u->begin, u->rate);
+    if (!u->rests) pm_uniform_rates_after(w, u->begin, u->rate);
     pm_uniform_integrate(w, u->end, w->state.z);
     pm_uniform_place(w->model, w->uniform, u->end, w->state.q, w->state.v);
     const double begin = w->state.t;

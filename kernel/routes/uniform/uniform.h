@@ -7,11 +7,13 @@
 
 /* The search for the first closing of one contact: times from the begin of the phase. */
 typedef struct pm_closing {
-    double safe;             /* open until here at least */
-    double root;             /* closes here; INFINITY: not found yet */
-    int exact;               /* that is the root of a parabola, and no rounding of positions in it */
-    double looked, g, rate;  /* where it was looked at last, the smallest gap there, and its rate */
-    double near, near_reach; /* least gap where it came close and reversed, or INFINITY; gap around there */
+    double safe;              /* open until here at least */
+    double root;              /* closes here; INFINITY: not found yet */
+    int exact;                /* that is the root of a parabola, and no rounding of positions in it */
+    double looked, g, rate;   /* where it was looked at last, the smallest gap there, and its rate */
+    int begun;                /* it has one member alone, and that was looked at as the phase began: */
+    double first, first_rate; /* its gap there, and the rate of it */
+    double near, near_reach;  /* least gap where it came close and reversed, or INFINITY; gap around there */
 } pm_closing;
 
 /* Blows of one contact that follow each other like a geometric series: zeno.c. */
@@ -57,7 +59,9 @@ typedef struct pm_uniform {
     /* integrals */
     double *rate;            /* [3][nz] at begin, middle and end */
     double *z0;              /* [nz] at the begin of the step */
+    int rests;               /* nothing acts: none of them changes in the phase */
     double *v_look, *q_look; /* [nq] of the place that is looked at */
+    double looked;           /* its time by pm_uniform_look; NaN: it is another place */
     pm_series series;
 } pm_uniform;
 

@@ -71,13 +71,29 @@ static void begin_exactly(const pm_frame *frame, double *g, double *rate)
 }
 
 /* The gap of a member of an open contact at the frame, and its rate. */
-static double gap_of(const pm_workspace *w, int contact, int member, pm_constraint *c, double *rate)
+static double gap_of(const pm_workspace *w, const pm_constraint *c, double *rate)
 {
-    pm_constraint tangent;
-    pm_contact_constraint_both(&w->frame, contact, w->model->contact_slot[contact], member, c, &tangent);
-    pm_constraint_kind(c->kind)->evaluate(&w->frame, c);
-    *rate = pm_constraint_times(&w->frame, c, w->frame.v);
-    return c->g;
+    const pm_constraint_ops *ops = pm_constraint_kind(c->kind);
+    if (ops->gap) return ops->gap(&w->frame, c, rate);
+    pm_constraint here = *c;
+    ops->evaluate(&w->frame, &here);
+    *rate = pm_constraint_times(&w->frame, &here, w->frame.v);
+    return here.g;
+}
+
+static void keep_first(pm_closing *x, int members, double g, double rate)
+{
+    x->begun = members == 1;
+    x->first = g;
+    x->first_rate = rate;
+}
+
+/* As gap_of; at the begin of the phase it is known. */
+static double gap_again(const pm_workspace *w, const pm_constraint *c, const pm_closing *x, double *rate)
+{
+    if (x->safe > 0 || !x->begun) return gap_of(w, c, rate);
+    *rate = x->first_rate;
+    return x->first;
 }
 
 void pm_uniform_gap_begin(pm_workspace *w, int contact)
@@ -92,12 +108,14 @@ void pm_uniform_gap_begin(pm_workspace *w, int contact)
     }
     u->closing[contact] = (pm_closing){.root = INFINITY, .near = INFINITY};
     for (int i = 0; i < n; i++) {
-        pm_constraint c;
-        double rate, g = gap_of(w, contact, member[i], &c, &rate);
+        pm_constraint own;
+        const pm_constraint *c = pm_contact_constraint_read(&w->frame, contact, member[i], &own);
+        double rate, g = gap_of(w, c, &rate);
+        keep_first(&u->closing[contact], n, g, rate);
         begin_exactly(&w->frame, &g, &rate);
         if (g > 0 || rate > 0) continue;
         pm_constraint_bounds x = {.bend = -INFINITY};
-        if (rate == 0) pm_constraint_kind(c.kind)->bound(&w->frame, &c, u->a, 0, &x);
+        if (rate == 0) pm_constraint_kind(c->kind)->bound(&w->frame, c, u->a, 0, &x);
         u->irregular |= x.bend < -PM_UNIFORM_DEFINITE * u->curve.acceleration; /* must not approach */
     }
 }
@@ -144,20 +162,21 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
     double safe = h, least = INFINITY, least_rate = 0;
     *root = OPEN;
     for (int i = 0; i < n; i++) {
-        pm_constraint c;
-        double rate, g = gap_of(w, contact, member[i], &c, &rate);
+        pm_constraint own;
+        const pm_constraint *c = pm_contact_constraint_read(&w->frame, contact, member[i], &own);
+        double rate, g = gap_again(w, c, &w->uniform->closing[contact], &rate);
         if (first) begin_exactly(&w->frame, &g, &rate);
         if (g == 0 && rate == 0) continue; /* touches and stays clear of it */
         if (g < least) {
             least = g;
             least_rate = rate;
         }
-        if (!(first && g == 0) && g <= noise_of(&w->frame, &c) && rate < 0) {
+        if (!(first && g == 0) && g <= noise_of(&w->frame, c) && rate < 0) {
             *root = NEARLY;
             return -g / rate;
         }
         int exact;
-        const double open = open_for(&w->frame, w->uniform, &c, fmax(g, 0), rate, h, &exact);
+        const double open = open_for(&w->frame, w->uniform, c, fmax(g, 0), rate, h, &exact);
         if (open < safe || (exact && open == safe)) {
             safe = open;
             *root = exact ? EXACTLY : OPEN;
@@ -165,7 +184,7 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
         if (i + 2 >= n &&
             n == PM_UNIFORM_NEAR) { /* members farther off have a larger gap than the outermost of these */
             pm_constraint_bounds x;
-            pm_constraint_kind(c.kind)->bound(&w->frame, &c, w->uniform->a, h, &x);
+            pm_constraint_kind(c->kind)->bound(&w->frame, c, w->uniform->a, h, &x);
             if (x.rate > 0 && fmax(g, 0) / x.rate < safe) {
                 safe = fmax(g, 0) / x.rate;
                 *root = OPEN;

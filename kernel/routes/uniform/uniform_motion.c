@@ -41,7 +41,8 @@ int pm_uniform_react(pm_workspace *w)
 
 static void look(pm_workspace *w, double t)
 {
-    const pm_uniform *u = w->uniform;
+    pm_uniform *u = w->uniform;
+    u->looked = NAN;
     pm_frame_look(&w->frame, u->t0 + t, u->q_look, u->v_look, w->state.z, w->state.memory);
 }
 
@@ -52,10 +53,22 @@ void pm_uniform_look_there(pm_workspace *w, double t)
     if (status) w->uniform->status = status;
 }
 
+/* Contact by contact the same place is looked at. */
+static int looks_at(const pm_frame *frame, const pm_uniform *u, double t)
+{
+    return u->looked == t && frame->q == u->q_look && frame->v == u->v_look;
+}
+
 void pm_uniform_look(pm_workspace *w, double t)
 {
-    pm_uniform_place(w->model, w->uniform, t, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform *u = w->uniform;
+    if (looks_at(&w->frame, u, t)) {
+        w->frame.level = PM_LEVEL_KINEMATIC;
+        return;
+    }
+    pm_uniform_place(w->model, u, t, u->q_look, u->v_look);
     look(w, t);
+    u->looked = t;
 }
 
 void pm_uniform_look_at_forces(pm_workspace *w, double t)
@@ -121,6 +134,10 @@ void pm_uniform_integrate(pm_workspace *w, double t, double *z)
     pm_uniform *u = w->uniform;
     const int nz = w->model->nz;
     const double h = t - u->begin;
+    if (u->rests) {
+        memcpy(z, u->z0, (size_t)nz * sizeof *z);
+        return;
+    }
     pm_uniform_rates_after(w, u->begin + 0.5 * h, u->rate + nz);
     pm_uniform_rates_after(w, t, u->rate + 2 * nz);
     for (int i = 0; i < nz; i++)

@@ -151,9 +151,10 @@ static pm_outlook outlook_of(pm_workspace *w, const pm_rest *r, int program)
 }
 
 /* State at the end of the series. */
-static void end_of_series(const pm_uniform *u, int nq, const pm_rest *r, double *q, double *v)
+static void end_of_series(pm_uniform *u, int nq, const pm_rest *r, double *q, double *v)
 {
     const double t = r->time, e = r->e;
+    u->looked = NAN; /* this may be written where that place is */
     for (int i = 0; i < nq; i++) {
         const double d = u->series.change[i];
         q[i] = u->q0[i] + t * (u->v[i] + 0.5 * t * u->a[i] + d * e * e / (1 - e * e));
@@ -290,7 +291,7 @@ static double slip_with(pm_workspace *w, int slot, double t, double factor)
 {
     const pm_uniform *u = w->uniform;
     const int contact = pm_contact_of_slot(w->model, slot);
-    pm_uniform_look(w, t);
+    pm_uniform_look_at_forces(w, t); /* which nobody takes for looked at: its velocities become others */
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] += factor * u->series.change[i];
     return pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
 }

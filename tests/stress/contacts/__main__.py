@@ -39,11 +39,17 @@ def main() -> int:
     return 1 if faults else 0
 
 
-def _batch(task: tuple[int, int, str, bool]) -> tuple[tuple[str, int], Counter[str], float]:
+def _batch(task: tuple[int, int, str, bool]) -> tuple[tuple[str, int], Counter[str], list[str], float]:
     seed, contacts, law, blow = task
     begun = time.process_time()
-    words = one_body.table(seed, BATCH, contacts, law, blow=blow)
-    return (law if blow else "from rest", contacts), words, time.process_time() - begun
+    words = one_body.judged(one_body.seeded(seed, BATCH, contacts, law, blow=blow), law, blow=blow)
+    row = law if blow else "from rest", contacts
+    faults = [
+        f"{row[0]}, {contacts} contacts, seed {seed}, case {i}: {word}"
+        for i, word in enumerate(words)
+        if is_fault(word)
+    ]
+    return row, Counter(words), faults, time.process_time() - begun
 
 
 def one_body_table(given: argparse.Namespace, console: Console) -> int:
@@ -59,10 +65,12 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
     ]
     found: dict[tuple[str, int], Counter[str]] = {}
     seconds: defaultdict[tuple[str, int], float] = defaultdict(float)
+    named: list[str] = []
     with multiprocessing.Pool(given.jobs) as pool:
-        for key, words, took in pool.imap_unordered(_batch, tasks):
+        for key, words, faults, took in pool.imap_unordered(_batch, tasks):
             found.setdefault(key, Counter()).update(words)
             seconds[key] += took
+            named += faults
     shown = Table(
         "law", "contacts", *BY_THEORY, "wrong or failed", "s", title="one body, beside the laws restated"
     )
@@ -72,11 +80,9 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
         row = [law, str(contacts), *counted, str(bad), f"{seconds[law, contacts]:.0f}"]
         shown.add_row(*row, style="red" if bad else None)
     console.print(shown)
-    total: Counter[str] = sum(found.values(), Counter())
-    for word, n in total.items():
-        if is_fault(word):
-            console.print(f"{word}: {n}")
-    return sum(n for word, n in total.items() if is_fault(word))
+    for fault in sorted(named):
+        console.print(fault, markup=False)
+    return len(named)
 
 
 def throw_table(given: argparse.Namespace, console: Console) -> int:

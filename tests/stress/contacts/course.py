@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tests.stress.contacts.laws import BACKWARD, CLOSE, FORWARD, OPEN, STICK, Array, Problem
+from tests.stress.contacts.laws import BACKWARD, CLOSE, DEPENDS, FORWARD, OPEN, STICK, Array, Problem, residue
 
 NONE = 1e-9  # of the velocities before: no slip, no approach
 ROUNDING = 1e-11  # of the impulses, of the energy: nothing
@@ -47,7 +47,7 @@ def _modes(x: Problem, i: int, slip: float) -> tuple[int, ...]:
     return OPEN, STICK, FORWARD, BACKWARD
 
 
-def _share(x: Problem, modes: tuple[int, ...], listed: list[int], pace: Array) -> Share | None:
+def _share(x: Problem, modes: tuple[int, ...], listed: list[int], pace: Array, close: float) -> Share | None:
     """The rates of these modes, if they are determined; of inequalities those of the loads are checked."""
     rows, values, loads, of = [], [], [], []
     for i, mode in zip(listed, modes, strict=True):
@@ -69,38 +69,42 @@ def _share(x: Problem, modes: tuple[int, ...], listed: list[int], pace: Array) -
         return Share(np.zeros(len(x.mass)), load)
     lever = np.array(loads).T / x.mass[:, None]
     a, wanted = np.array(rows) @ lever, np.array(values)
-    size, _, rank, _ = np.linalg.lstsq(a, wanted, rcond=1e-10)
-    if (
-        np.abs(a @ size - wanted).max() > CLOSE * np.abs(wanted).max()
-        or size.min() < -CLOSE * np.abs(size).max()
-    ):
+    size, _, rank, _ = np.linalg.lstsq(a, wanted, rcond=DEPENDS * close)
+    none = close * np.abs(wanted).max() + residue(a, size)
+    if np.abs(a @ size - wanted).max() > none or size.min() < -close * np.abs(size).max():
         return None
     np.add.at(load, of, size)
     return Share(lever @ size, load, bool(rank == len(loads)))
 
 
 def _obeys(
-    x: Problem, share: Share, modes: tuple[int, ...], listed: list[int], slip: Array, pace: Array
+    x: Problem,
+    share: Share,
+    modes: tuple[int, ...],
+    listed: list[int],
+    slip: Array,
+    pace: Array,
+    close: float,
 ) -> bool:
     rates = x.jacobian @ share.rate
-    close = CLOSE * max(float(np.abs(rates).max()), float(pace.max()))
+    none = close * max(float(np.abs(rates).max()), float(pace.max()))
     for i, mode in zip(listed, modes, strict=True):
-        if rates[i, 0] < pace[i] - close:
+        if rates[i, 0] < pace[i] - none:
             return False
         begins = slip[i] == 0 and x.friction[i] > 0 and mode in (FORWARD, BACKWARD)
-        if begins and (1 if mode == FORWARD else -1) * rates[i, 1] < -close:
+        if begins and (1 if mode == FORWARD else -1) * rates[i, 1] < -none:
             return False
     return True
 
 
-def shares(x: Problem, listed: list[int], slip: Array, pace: Array) -> list[Share]:
+def shares(x: Problem, listed: list[int], slip: Array, pace: Array, close: float = CLOSE) -> list[Share]:
     """All motions that the laws allow on this stretch; of several loads that give one, the mean."""
     found: list[list[Share]] = []
     for modes in itertools.product(*(_modes(x, i, float(slip[i])) for i in listed)):
-        share = _share(x, modes, listed, pace)
-        if share is None or not _obeys(x, share, modes, listed, slip, pace):
+        share = _share(x, modes, listed, pace, close)
+        if share is None or not _obeys(x, share, modes, listed, slip, pace, close):
             continue
-        same = next((motion for motion in found if _same(share.rate, motion[0].rate)), None)
+        same = next((motion for motion in found if _same(share.rate, motion[0].rate, close)), None)
         if same is None:
             found.append([share])
         else:
@@ -113,8 +117,8 @@ def _mean(motion: list[Share]) -> Share:
     return replace(motion[0], load=np.mean(loads, axis=0)) if loads else motion[0]
 
 
-def _same(a: Array, b: Array) -> bool:
-    return bool(np.abs(a - b).max() <= 1e2 * CLOSE * max(np.abs(a).max(), np.abs(b).max()))
+def _same(a: Array, b: Array, close: float) -> bool:
+    return bool(np.abs(a - b).max() <= 1e2 * close * max(np.abs(a).max(), np.abs(b).max()))
 
 
 def _until_none(value: float, rate: float) -> float:
@@ -131,7 +135,7 @@ def _until_spent(law: str, u: float, rate: float, load: float, left: float) -> f
     return 0.0 if left <= 0 else 2 * left / load / (u + np.sqrt(root))
 
 
-def follow(x: Problem, law: str) -> End:
+def follow(x: Problem, law: str, close: float = CLOSE) -> End:
     """The end of a blow in which all contacts approach, none of them stiffer than the others."""
     v = x.before.copy()
     none = NONE * x.scale
@@ -154,7 +158,7 @@ def follow(x: Problem, law: str) -> End:
             return End(v)
         pace = np.maximum(-normal, 0) if compresses else np.where(rebounds, -x.restitution * before, 0)
         listed = [i for i in range(len(x)) if normal[i] <= 0 or pace[i] > 0]
-        found = shares(x, listed, slip, pace)
+        found = shares(x, listed, slip, pace, close)
         if len(found) != 1:
             return End(None, SEVERAL if found else NO_MOTION)
         rate, load = found[0].rate, found[0].load

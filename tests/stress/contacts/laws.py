@@ -16,6 +16,9 @@ from scipy.optimize import nnls
 
 Array = npt.NDArray[np.float64]
 CLOSE = 1e-7  # of the velocities: the same
+SHARP = 1e-10  # likewise, where motions are nearer to each other, or to none, than that
+DEPENDS = 1e-3  # likewise, of that, of singular values: contacts depend on each other
+RESIDUE = 1e-14  # of the terms of an equation: large loads that nearly cancel leave so much
 OPEN, STICK, FORWARD, BACKWARD = range(4)
 
 
@@ -55,29 +58,34 @@ class Problem:
         return load
 
 
-def can_be_loaded(x: Problem, after: Array, generators: list[Array]) -> bool:
+def residue(a: Array, size: Array) -> float:
+    """What rounding leaves of a size."""
+    return float(RESIDUE * (np.abs(a) @ np.abs(size)).max())
+
+
+def can_be_loaded(x: Problem, after: Array, generators: list[Array], close: float = CLOSE) -> bool:
     """Whether loads on these generators, none of them negative, make `after` of `before`."""
     change = x.mass * (after - x.before)
     size = float(np.abs(change).max()) + float(x.mass.max()) * x.scale
     if not generators:
-        return bool(np.abs(change).max() <= CLOSE * size)
+        return bool(np.abs(change).max() <= close * size)
     _, rest = nnls(np.array(generators).T, change)
-    return bool(rest <= CLOSE * size)
+    return bool(rest <= close * size)
 
 
-def obeys(x: Problem, after: Array) -> bool:
+def obeys(x: Problem, after: Array, close: float = CLOSE) -> bool:
     """Whether a motion obeys the laws at all contacts at once, by some loads."""
-    close = CLOSE * (x.scale + float(np.abs(x.jacobian @ after).max()))
+    none = close * (x.scale + float(np.abs(x.jacobian @ after).max()))
     generators = []
     for i, parts in enumerate(x.jacobian[:, 0] @ after - x.wanted):
-        if parts < -close:
+        if parts < -none:
             return False
-        if parts > close:
+        if parts > none:
             continue
         slip = float(x.jacobian[i, 1] @ after)
-        for sign in (1, -1) if abs(slip) <= close else (np.sign(slip),):
+        for sign in (1, -1) if abs(slip) <= none else (np.sign(slip),):
             generators.append(x.along(i, sign))
-    return can_be_loaded(x, after, generators)
+    return can_be_loaded(x, after, generators, close)
 
 
 def is_admissible(x: Problem, after: Array) -> bool:
@@ -90,7 +98,7 @@ def is_admissible(x: Problem, after: Array) -> bool:
     return can_be_loaded(x, after, [x.along(i, sign) for i in range(len(x)) for sign in (1, -1)])
 
 
-def motions(x: Problem) -> list[Array]:
+def motions(x: Problem, close: float = CLOSE) -> list[Array]:
     """All that obey the laws, by enumeration of what each contact may do."""
     found: list[Array] = []
     for modes in itertools.product((OPEN, STICK, FORWARD, BACKWARD), repeat=len(x)):
@@ -110,9 +118,10 @@ def motions(x: Problem) -> list[Array]:
         after = x.before
         if loads:
             a, lever = np.array(rows), np.array(loads).T / x.mass[:, None]
-            size, *_ = np.linalg.lstsq(a @ lever, np.array(values) - a @ x.before, rcond=1e-10)
+            size, *_ = np.linalg.lstsq(a @ lever, np.array(values) - a @ x.before, rcond=DEPENDS * close)
             after = x.before + lever @ size
-        if all(np.abs(after - other).max() > 1e2 * CLOSE * x.scale for other in found) and obeys(x, after):
+        is_other = all(np.abs(after - other).max() > 1e2 * close * x.scale for other in found)
+        if is_other and obeys(x, after, close):
             found.append(after)
     return found
 
@@ -127,29 +136,29 @@ class Rates:
     slides: list[int]
 
 
-def _rates_at(x: Problem, v: Array) -> Rates:
+def _rates_at(x: Problem, v: Array, close: float) -> Rates:
     u = x.jacobian @ v
-    close = 10 * CLOSE * (x.scale + float(np.abs(u).max()))
+    none = 10 * close * (x.scale + float(np.abs(u).max()))
     # a place r of the body accelerates by -omega^2 r; n.r and t.r are the levers of t and n
     drift = v[2] ** 2 * np.stack([x.jacobian[:, 1, 2], -x.jacobian[:, 0, 2]], axis=1)
-    closed = [i for i in range(len(x)) if abs(u[i, 0]) <= close]
-    return Rates(closed, drift, [0 if abs(u[i, 1]) <= close else int(np.sign(u[i, 1])) for i in closed])
+    closed = [i for i in range(len(x)) if abs(u[i, 0]) <= none]
+    return Rates(closed, drift, [0 if abs(u[i, 1]) <= none else int(np.sign(u[i, 1])) for i in closed])
 
 
-def accelerations(x: Problem, v: Array) -> list[Array]:
+def accelerations(x: Problem, v: Array, close: float = CLOSE) -> list[Array]:
     """All that the laws allow at velocities `v` under no forces but those of the contacts, by enumeration."""
-    if np.abs(x.jacobian @ v).max() <= 10 * CLOSE * x.scale and abs(v[2]) <= CLOSE * abs(x.before[2]):
+    if np.abs(x.jacobian @ v).max() <= 10 * close * x.scale and abs(v[2]) <= close * abs(x.before[2]):
         return [np.zeros(3)]  # it rests, and nothing drives it
-    return allowed(x, _rates_at(x, v))
+    return allowed(x, _rates_at(x, v, close), close)
 
 
-def allowed(x: Problem, at: Rates) -> list[Array]:
+def allowed(x: Problem, at: Rates, close: float = CLOSE) -> list[Array]:
     """All accelerations that the laws allow at these rates."""
     found: list[Array] = []
     for modes in itertools.product(*(_modes_of(slides) for slides in at.slides)):
-        a = _acceleration(x, at, modes)
+        a = _acceleration(x, at, modes, close)
         size = 1e-300 + float(np.abs(at.drift).max())
-        if a is not None and all(np.abs(a - b).max() > 1e2 * CLOSE * size for b in found):
+        if a is not None and all(np.abs(a - b).max() > 1e2 * close * size for b in found):
             found.append(a)
     return found
 
@@ -160,7 +169,7 @@ def _modes_of(slides: int) -> tuple[int, ...]:
     return OPEN, STICK, FORWARD, BACKWARD
 
 
-def _acceleration(x: Problem, at: Rates, modes: tuple[int, ...]) -> Array | None:
+def _acceleration(x: Problem, at: Rates, modes: tuple[int, ...], close: float) -> Array | None:
     """That of these modes, if it obeys their inequalities."""
     loads, rows, values, of = [], [], [], []
     for i, mode in zip(at.closed, modes, strict=True):
@@ -180,18 +189,19 @@ def _acceleration(x: Problem, at: Rates, modes: tuple[int, ...]) -> Array | None
     if loads:
         lever = np.array(loads).T / x.mass[:, None]
         wanted = np.array(values)
-        size, *_ = np.linalg.lstsq(np.array(rows) @ lever, wanted, rcond=1e-10)
-        if (size < -CLOSE * np.abs(size).max()).any():
+        size, *_ = np.linalg.lstsq(np.array(rows) @ lever, wanted, rcond=DEPENDS * close)
+        if (size < -close * np.abs(size).max()).any():
             return None
         a = lever @ size
-        if np.abs(np.array(rows) @ a - wanted).max() > CLOSE * float(np.abs(at.drift).max()):
+        none = close * float(np.abs(at.drift).max())
+        if np.abs(np.array(rows) @ a - wanted).max() > none + residue(np.array(rows) @ lever, size):
             return None
     u = x.jacobian @ a + at.drift
-    close = CLOSE * (float(np.abs(at.drift).max()) + float(np.abs(u).max()))
+    none = close * (float(np.abs(at.drift).max()) + float(np.abs(u).max()))
     for i, mode, slides in zip(at.closed, modes, at.slides, strict=True):
-        if u[i, 0] < -close:
+        if u[i, 0] < -none:
             return None
-        if not slides and mode in (FORWARD, BACKWARD) and u[i, 1] * (1 if mode == FORWARD else -1) < -close:
+        if not slides and mode in (FORWARD, BACKWARD) and u[i, 1] * (1 if mode == FORWARD else -1) < -none:
             return None
     return a
 

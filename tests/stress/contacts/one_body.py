@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -27,6 +27,10 @@ class Drawn:
     friction: Array
     restitution: Array
     before: Array
+
+    def case(self, i: int) -> Drawn:
+        """This one alone."""
+        return Drawn(*(getattr(self, field.name)[i : i + 1] for field in fields(self)))
 
     def mirrored(self) -> Drawn:
         flip = np.array([-1, 1])
@@ -153,19 +157,22 @@ def _same(a: CaseResults, b: CaseResults, i: int, flip: Array, scale: float) -> 
 
 def table(seed: int, n: int, k: int, law: str, *, blow: bool) -> Counter[str]:
     """n cases of k contacts: how many are right, open by theory, wrong or failed."""
-    return judged(
-        draw(np.random.default_rng([seed, k, LAWS.index(law), blow]), n, k, blow=blow), law, blow=blow
-    )
+    return Counter(judged(seeded(seed, n, k, law, blow=blow), law, blow=blow))
 
 
-def judged(drawn: Drawn, law: str, *, blow: bool) -> Counter[str]:
+def seeded(seed: int, n: int, k: int, law: str, *, blow: bool) -> Drawn:
+    """The cases of the table that has this seed."""
+    return draw(np.random.default_rng([seed, k, LAWS.index(law), blow]), n, k, blow=blow)
+
+
+def judged(drawn: Drawn, law: str, *, blow: bool) -> list[str]:
     """What became of these cases, as they are, mirrored, and with their contacts in another order."""
     k = drawn.friction.shape[1]
     flat = scene(k, law, blow=blow)
     found = run(flat, drawn, blow=blow)
     mirror = run(flat, drawn.mirrored(), blow=blow)
     turned = run(scene(k, law, blow=blow, turned=True), drawn, blow=blow)
-    words: Counter[str] = Counter()
+    words = []
     for i in range(len(drawn.mass)):
         x = drawn.problem(i)
         word = verdict(x, found.out[i], int(found.status[i]), found.count[i], law, blow=blow)
@@ -173,5 +180,5 @@ def judged(drawn: Drawn, law: str, *, blow: bool) -> Counter[str]:
             word = "wrong: mirror image"
         elif not _same(found, turned, i, np.ones(3), x.scale):
             word = "wrong: order in the file"
-        words[word] += 1
+        words.append(word)
     return words

@@ -30,6 +30,26 @@ def test_several_motions_are_counted_whatever_the_order(seed: int) -> None:
     assert not [word for word in one_body.table(seed, 500, 3, "newton", blow=False) if is_fault(word)]
 
 
+@pytest.mark.parametrize(
+    ("law", "contacts", "seed", "case", "blow", "word"),
+    [
+        ("poisson", 4, 5027, 168, True, "not unique"),  # all slips but 0.1 % have ended: rounding decided
+        ("newton", 2, 700002, 121, False, "not unique"),  # a slip of none: that of rounding decided
+        ("newton", 3, 700020, 457, False, "not unique"),
+        ("newton", 3, 20014, 14, True, "no motion"),  # what comes nearest lets a contact approach by 6e-8
+        ("poisson", 4, 20030, 121, True, "not unique"),  # motions that differ by 1e-5
+        ("stronge", 2, 20021, 363, True, "right"),  # slips on at a speed of 6e-7 of the blow
+        ("poisson", 2, 20035, 235, True, "right"),  # loads of 1e7 that all but cancel
+        ("poisson", 4, 20040, 320, True, "right"),
+    ],
+)
+def test_blows_that_only_rounding_or_closeness_decided(
+    law: str, contacts: int, seed: int, case: int, blow: bool, word: str
+) -> None:
+    drawn = one_body.seeded(seed, 500, contacts, law, blow=blow).case(case)
+    assert one_body.judged(drawn, law, blow=blow) == [word]
+
+
 def test_what_is_thrown_comes_to_rest_in_equilibrium_whatever_the_order_and_the_mirror() -> None:
     rows = list(thrown.table(range(40), 2))
     assert [row for row in rows if row.word not in thrown.BY_THEORY] == []
@@ -171,6 +191,8 @@ def test_a_number_is_always_the_same_throw() -> None:
         (501165, ""),  # corner on corner, two contacts are one for an instant
         (504979, ""),  # of slips that hang on each other one is below rounding until another has ended
         (501531, ""),
+        (510444, ""),  # a corner parts as a series of blows at another one is cut off: that is no decision
+        (510507, ""),  # a coarse run called bounces endless of a box that was struck again later on
     ],
 )
 def test_throws_that_failed_once(number: int, route: str) -> None:
