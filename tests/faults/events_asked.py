@@ -167,6 +167,12 @@ FAULTS = [
         "; /* it takes finite",
     ),
     Fault(
+        "ask: the place of an extreme by five values",
+        "events/extremum_search.c",
+        "return fabs(shift) < d ? t + shift : t;",
+        "return fabs(shift) < 0 ? t + shift : t;",
+    ),
+    Fault(
         "ask: values are searched for the least top",
         "events/extremum_search.c",
         "? NAN : -pm_extremum_value(x->w, x->peak)",

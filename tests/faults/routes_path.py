@@ -360,4 +360,10 @@ FAULTS = [
         "turns_soon ? PM_PATH_SHORT_OF_TURN : 0.5",
         "turns_soon ? 0.5 : 0.5",
     ),
+    Fault(
+        "path: the place of an extreme has no error",
+        "routes/path/path_error.c",
+        "if (pm_ask_at_extreme(row)) return 1;",
+        "",
+    ),
 ]

@@ -121,6 +121,9 @@ static void until_what_never_comes(void)
         const int of = measure[run[i].of];
         const double shift = run[i].of == 0 ? PI / 2 : 0; /* a rod's own angle is from its axis */
         scene_until(s, scene_when(s, kind, scene_minus(s, of, run[i].bound - shift)), 1);
+        scene_value(s, 40); /* of a list, that is not met either */
+        scene_ask(s, PM_ASK_GRID, scene_read(s, measure[0]), PM_NONE, 1, 0, scene_read(s, measure[1]),
+                  s->rows[PM_TABLE_VALUE] - 1, 1);
         EQUAL(scene_run(s, NULL), run[i].status);
         CHECK(s->count[PM_COUNT_STEPS] < 20);
         if (run[i].status == PM_LIMIT_TIME) EQUAL(s->detail[0], INFINITY);

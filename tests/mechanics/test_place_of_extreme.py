@@ -12,7 +12,11 @@ from tests.scenes import number
 
 SWING = """
 until = "rod.angle = -170 deg"
-bodies.rod = {{ rod = ["A", "B"], length = "{length} m", mass = "3 kg", at = {{ A = [0, 0] }}, angle = "{angle} deg" }}
+bodies.rod.rod = ["A", "B"]
+bodies.rod.length = "{length} m"
+bodies.rod.mass = "3 kg"
+bodies.rod.at = {{ A = [0, 0] }}
+bodies.rod.angle = "{angle} deg"
 joints.A = {{ pin = ["rod.A", "ground"] }}
 ask.place = {{ of = "rod.angle", at = {{ min = "rod.B.velocity.y" }}, unit = "rad" }}
 solve = {{ route = "{route}", accuracy = {accuracy} }}

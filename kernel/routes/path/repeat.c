@@ -66,7 +66,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
     pm_repeat *l = w->repeat;
     const pm_symmetry_shift shift = {{l->by[0], l->by[1]}, l->rotation};
     const int in_time = w->model->programs.read_time || w->record.history;
-    const int steady = fabs(kinetic - l->kinetic) <= PM_REPEAT_SAME_ENERGY * kinetic;
+    const int steady = l->steady = fabs(kinetic - l->kinetic) <= PM_REPEAT_SAME_ENERGY * kinetic;
     if (w->record.history || ((in_time || l->ends_by_force) && !steady) ||
         !pm_symmetry_holds(&w->frame, &shift))
         return PM_OK;
