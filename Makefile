@@ -90,6 +90,7 @@ stress: setup
 	$(BIN)/python -m tests.stress.files $(FILES)
 	$(BIN)/python -m tests.stress.drift $(DRIFT)
 	$(BIN)/python -m tests.stress.routes $(ROUTES)
+	$(BIN)/python -m tests.stress.values $(VALUES)
 
 faults:
 	@.ci/setup --tools
