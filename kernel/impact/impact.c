@@ -100,8 +100,8 @@ static int is_open(const pm_workspace *w, int contact)
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
     *x = (pm_touch){.stays = 1};
-    if (w->blow->apart[contact] == PM_PARTED) return 0;
-    if (w->blow->apart[contact]) return rests_beside(w, contact, x);
+    if (w->blow->apart[contact] == PM_PARTED && !w->event->spent[contact]) return 0;
+    if (w->blow->apart[contact] == PM_APART) return rests_beside(w, contact, x);
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));

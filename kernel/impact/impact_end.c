@@ -118,10 +118,11 @@ static void tell_modes(pm_workspace *w)
         pm_evidence_mix(&w->evidence.present->log, (uint32_t)w->state.slot[i].mode);
 }
 
-/* Nothing else is to be found of what has one member, and parts. */
-static void note_parting(const pm_workspace *w, pm_blow *b, int contact)
+/* Nothing else is to be found of what has one member, and parts, and whose bounce is not over. */
+static void note_parting(const pm_workspace *w, pm_blow *b, int contact, double rate)
 {
-    if (pm_contact_is_single(w->model, contact) && !w->event->spent[contact] && !w->evidence.active)
+    if (pm_contact_is_single(w->model, contact) && !w->evidence.active &&
+        !pm_last_bounce_is_spent(w, contact, rate))
         b->apart[contact] = PM_PARTED;
 }
 
@@ -148,7 +149,7 @@ void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
         w->state.slot[i].mode = PM_OPEN;
         if (b->share[i] == PM_OUT && b->resting[i] == PM_OPEN) continue;
         pm_contact_member_gap(&w->frame, contact, member, &rate);
-        if (rate > pm_contact_speed(&w->frame)) note_parting(w, b, contact);
+        if (rate > pm_contact_speed(&w->frame)) note_parting(w, b, contact, rate);
         if (fabs(rate) > pm_contact_speed(&w->frame))
             continue; /* parts, or is struck again by the next blow */
         w->state.slot[i].mode = pm_contact_modes_of_slip(&w->frame, contact, member);

@@ -98,7 +98,7 @@ def _word(keys: list[str], one: CaseResults, other: CaseResults, i: int) -> tupl
     a, b = one.out[i], other.out[i]
     off = np.where(np.isnan(a) & np.isnan(b), 0.0, np.abs(a - b))
     told = np.nan_to_num(one.error[i], posinf=np.inf) + np.nan_to_num(other.error[i], posinf=np.inf)
-    least = LEAST * np.maximum(np.abs(a), np.finfo(float).tiny)
+    least = LEAST * np.maximum(np.abs(np.nan_to_num(a)), np.finfo(float).tiny)
     ratio = np.where(np.isnan(off), np.inf, off / np.maximum(told, least))
     k = int(np.argmax(ratio)) if ratio.size else -1
     if k < 0 or ratio[k] <= 1:
