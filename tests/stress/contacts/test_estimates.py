@@ -21,7 +21,7 @@ def _run(number: int, estimate: bool) -> CaseResults:
 
 @pytest.mark.parametrize("number", [600001, 600003, 600012, 600017, 600021])
 def test_the_motion_is_the_same_without_estimates(number: int) -> None:
-    """Where no tighter pass has become the answer.  600017: bounces end together, and one of them has parted by then."""
+    """Where no tighter pass is the answer.  600017: bounces end together, of which one has parted by then."""
     estimated, alone = _run(number, True), _run(number, False)
     assert estimated.status[0] == alone.status[0] == PM_OK
     assert estimated.out.tobytes() == alone.out.tobytes()
