@@ -361,6 +361,12 @@ FAULTS = [
         "turns_soon ? 0.5 : 0.5",
     ),
     Fault(
+        "path: a step that ends at a turning point but for rounding is one of the way",
+        "routes/path/path_step.c",
+        "if (ends_at_rest(p)) *way = p->h;",
+        "(void)ends_at_rest;",
+    ),
+    Fault(
         "path: the place of an extreme has no error",
         "routes/path/path_error.c",
         "if (pm_ask_at_extreme(row)) return 1;",

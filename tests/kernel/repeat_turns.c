@@ -131,9 +131,26 @@ static void until_what_never_comes(void)
     }
 }
 
+/* Half the way to the turning point is the first step from rest: the second ends there but for rounding, of either sign. */
+static void swings_stay_on_the_path(void)
+{
+    for (double angle = 1; angle < 3.1; angle += 0.01) {
+        int measure[2];
+        scene *s = rod_on_pin(angle, 0, measure);
+        scene_force(s, PM_FORCE_SPRING, scene_point(s, 0, 0.4, 0), scene_point(s, PM_GROUND, 0.9, 0.3), 20,
+                    0.5);
+        scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, measure[0], 100)), 1);
+        EQUAL(scene_run(s, NULL), PM_LIMIT_TIME);
+        EQUAL(s->count[PM_COUNT_ROUTES], 1 << PM_ROUTE_PATH);
+        CHECK(s->count[PM_COUNT_STEPS] < 40);
+        scene_free(s);
+    }
+}
+
 int main(void)
 {
     turns_until_a_time();
+    swings_stay_on_the_path();
     until_what_never_comes();
     wheel_downhill();
     return check_failures();

@@ -200,6 +200,14 @@ static double exact_kinetic(void *of, double s, void *context, double *slope)
     return p->spare.kinetic;
 }
 
+/* The motion comes to rest at the end of the step, as far as rounding tells: the next step could not begin there. */
+static int ends_at_rest(const pm_path *p)
+{
+    const pm_place *end = &p->node[PM_NODES_MOST - 1];
+    const double energy = p->node[0].kinetic + (p->by_work ? 0 : fabs(p->node[0].potential));
+    return end->force * p->sense < 0 && end->kinetic <= p->error + PM_ENERGY_ROUNDINGS * energy;
+}
+
 /* The way to the first place of the step where T vanishes; INFINITY if there is none. */
 static int find_reversal(pm_workspace *w, double *way)
 {
@@ -227,6 +235,8 @@ static int find_reversal(pm_workspace *w, double *way)
         *way = before > 0 ? s * p->h : 0;
         return status;
     }
+    if (!p->at_rest && ends_at_rest(p))
+        *way = p->h + p->node[PM_NODES_MOST - 1].kinetic / fabs(p->node[PM_NODES_MOST - 1].force);
     return PM_OK;
 }
 
