@@ -363,13 +363,13 @@ FAULTS = [
     Fault(
         "path: a step that ends at a turning point but for rounding is one of the way",
         "routes/path/path_step.c",
-        "if (ends_at_rest(p)) *way = p->h;",
-        "(void)ends_at_rest;",
+        "if (!p->at_rest && ends_at_rest(p))",
+        "if (0 && ends_at_rest(p))",
     ),
     Fault(
         "path: the place of an extreme has no error",
         "routes/path/path_error.c",
-        "if (pm_ask_at_extreme(row)) return 1;",
-        "",
+        "if (pm_ask_at_extreme(row)) return !pm_program",
+        "if (pm_ask_at_extreme(row)) return 0 && !pm_program",
     ),
 ]

@@ -16,12 +16,6 @@ FAULTS = [
         "return !isnan(u->looked) && t >= 0 &&",
     ),
     Fault(
-        "uniform: weight counts as nothing that acts",
-        "equations/ledger.c",
-        "w->active.n == 0 && g[0] == 0 && g[1] == 0;",
-        "w->active.n == 0 && !isnan(g[0]);",
-    ),
-    Fault(
         "uniform: joints rub for ever",
         "routes/uniform/route_uniform.c",
         "end = pm_min(u->joint_slip_end[i], end)",

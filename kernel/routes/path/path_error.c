@@ -281,12 +281,12 @@ static double error_of_motion(pm_workspace *w, int program, double value)
                : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * error_of_kinetic(w->path, kinetic);
 }
 
-/* Asked where another value has its extreme, or one of a list, and that goes with T: what T and rounding make of the place the
- * run does not tell. */
+/* Asked where another value has its extreme (a count has it where it is counted), or one of a list, and that goes with T: what T
+ * and rounding make of the place the run does not tell. */
 static int is_at_other(const pm_model *m, int ask)
 {
     const int32_t *row = PM_ASK_ROW(m, ask);
-    if (pm_ask_at_extreme(row)) return 1;
+    if (pm_ask_at_extreme(row)) return !pm_program_class_is_discrete(m, row[PM_ASK_PROGRAM_2]);
     return row[PM_ASK_KIND] == PM_ASK_GRID &&
            m->programs.energy[row[PM_ASK_PROGRAM_2]] != PM_ENERGY_CLASS_NONE;
 }

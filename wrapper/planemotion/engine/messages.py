@@ -35,6 +35,7 @@ _DECISIONS = {
     layout.PM_DECISION_SHARES: "whether it and those that share its load hold",
     layout.PM_DECISION_ENDS: "whether the run can go on there",
 }
+_NEVER = "until: never reached; the motion repeats itself, and nothing ends it"
 # Joints of which a place, an angle or a length is prescribed.
 _PRESCRIBED = frozenset(
     (
@@ -234,18 +235,16 @@ def _alternates(place: str, found: float, bound: float) -> str:
     )
 
 
+def _not_reached(limit: str, bound: str) -> str:
+    return f"until: not reached within solve.max_{limit} ({bound})"
+
+
 _DESCRIPTIONS: dict[int, Any] = {
     layout.PM_LIMIT_TIME: lambda place, found, bound: (
-        f"until: not reached within solve.max_time ({bound:g} s)"
-        if math.isfinite(found)
-        else "until: never reached; the motion repeats itself, and nothing ends it"
+        _not_reached("time", f"{bound:g} s") if math.isfinite(found) else _NEVER
     ),
-    layout.PM_LIMIT_EVENTS: lambda place, found, bound: (
-        f"until: not reached within solve.max_events ({found:.0f})"
-    ),
-    layout.PM_LIMIT_STEPS: lambda place, found, bound: (
-        f"until: not reached within solve.max_steps ({found:.0f})"
-    ),
+    layout.PM_LIMIT_EVENTS: lambda place, found, bound: _not_reached("events", f"{found:.0f}"),
+    layout.PM_LIMIT_STEPS: lambda place, found, bound: _not_reached("steps", f"{found:.0f}"),
     layout.PM_LIMIT_CPU: lambda place, found, bound: (
         f"solve.max_cpu: given up after {bound:g} s of computing time; what was answered before stands"
     ),
