@@ -1,5 +1,6 @@
 /* contact_constraint.c - the normal and the tangential constraint of a contact that is closed, or may close. */
 #include "elements/constraint.h"
+#include "elements/contact.h"
 #include "elements/contact_curve.h"
 #include "elements/edge.h"
 #include "state/workspace.h"
@@ -119,9 +120,9 @@ const pm_constraint *pm_contact_constraint_read(const pm_frame *frame, int conta
 {
     const pm_model *m = frame->model;
     const int kind = PM_CONTACT_ROW(m, contact)[PM_CONTACT_KIND];
-    const int plain = kind == PM_CONTACT_LINE || kind == PM_CONTACT_CIRCLE || kind == PM_CONTACT_POINT ||
-                      (kind == PM_CONTACT_SEGMENT && member == PM_SEGMENT_FACE);
-    if (plain) return &frame->numbers->of_contact[contact];
+    if (pm_contact_is_plain(m, contact) || kind == PM_CONTACT_POINT ||
+        (kind == PM_CONTACT_SEGMENT && member == PM_SEGMENT_FACE))
+        return &frame->numbers->of_contact[contact];
     pm_contact_constraint_normal(frame, contact, m->contact_slot[contact], member, own);
     return own;
 }

@@ -208,6 +208,12 @@ static void look_for_cycles(const pm_workspace *w, int near, int contact)
     e->series[contact].expected = ratio > 0 ? -INFINITY : expect_end(w, &e->order);
 }
 
+void pm_bounce_series_press(const pm_workspace *w, int contact)
+{
+    pm_bounce_series *x = &w->event->series[contact];
+    if (x->over == INFINITY) x->over = -INFINITY;
+}
+
 void pm_bounce_series_strike(const pm_workspace *w, int contact)
 {
     pm_bounce_series *x = &w->event->series[contact];
@@ -216,7 +222,7 @@ void pm_bounce_series_strike(const pm_workspace *w, int contact)
     x->struck[0] = w->state.t;
     x->known += x->known < PM_SERIES_BLOWS;
     x->ends = 0;
-    if (x->over == INFINITY) x->over = -INFINITY;
+    pm_bounce_series_press(w, contact);
     const int near = find_near(w, contact);
     count_own(w, near, contact);
     if (!(x->over > w->state.t))

@@ -17,6 +17,8 @@ void pm_bounce_series_cut(pm_workspace *w);
 int pm_bounce_series_is_settled(const pm_workspace *w, int contact);
 /* 1 if they hardly shrink at all: what bounces so low that it is cut off goes on bouncing, and nobody knows until when. */
 int pm_bounce_series_is_endless(const pm_workspace *w, int contact);
+/* A blow presses the contact: if it bounced without an end, it has done. */
+void pm_bounce_series_press(const pm_workspace *w, int contact);
 /* Where nothing moves any more but for such bounces: PM_BOUNCES_ON. */
 int pm_bounce_series_check(pm_workspace *w);
 /* The blow of this instant leaves the contact closed because what it would do then is not followed. */

@@ -52,12 +52,13 @@ static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, doubl
  * right by a step of Newton's method with the rate by nine. */
 static double put_right(pm_workspace *w, const pm_extremum *p, double t)
 {
-    static const double weight[] = {672.0 / 840, -168.0 / 840, 32.0 / 840, -3.0 / 840};
+    static const double weight[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280}; /* central, order 8 */
     const pm_step *step = &w->step;
     pm_ask_watch x = watch_of(w, p, 0);
-    const double d = PM_EXTREMUM_RATE_STEP * (step->end - step->begin), here = pm_ask_along(w, t, &x);
-    double rate = 0, bend = 0;
+    const double d = PM_EXTREMUM_RATE_STEP * (step->end - step->begin);
     if (t - 4 * d < step->begin || t + 4 * d > step->sampled_end) return t;
+    const double here = pm_ask_along(w, t, &x);
+    double rate = 0, bend = 0;
     for (int k = 1; k <= 4; k++) {
         const double before = pm_ask_along(w, t - k * d, &x), after = pm_ask_along(w, t + k * d, &x);
         rate += weight[k - 1] * (after - before);

@@ -5,8 +5,7 @@
  * rounding.  So slower rebounds than v ~ sqrt(reach / size) are the last, unless the route knows positions better. Bodies on
  * several contacts rock from one to the other in the same way, even without restitution: a contact that would part so slowly
  * because another one was struck is held closed.  Where several are struck in an order that repeats, the last blow of one is
- * the last of all: by then every gap is within rounding.  What bounces without an end, since nothing presses it, has done
- * when a blow elsewhere presses it. */
+ * the last of all: by then every gap is within rounding. */
 #include "events/last_bounce.h"
 
 #include <math.h>
@@ -91,12 +90,6 @@ int pm_last_bounce_ends_others(const pm_workspace *w, int contact, double approa
 {
     return pm_bounce_series_is_settled(w, contact) && !is_resolved(w, contact) &&
            pm_last_bounce_is_slow(w, contact, approach);
-}
-
-void pm_last_bounce_press(const pm_workspace *w, int contact)
-{
-    pm_bounce_series *x = &w->event->series[contact];
-    if (x->over == INFINITY) x->over = -INFINITY;
 }
 
 int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate)

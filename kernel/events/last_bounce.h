@@ -15,8 +15,6 @@ int pm_last_bounce_is_near(const pm_workspace *w, int contact, double rate);
 int pm_last_bounce_is_slow(const pm_workspace *w, int contact, double approach);
 /* 1 if with it the blows of all contacts end that share the order of its series (bounce_series.h). */
 int pm_last_bounce_ends_others(const pm_workspace *w, int contact, double approach);
-/* A blow elsewhere presses the closed contact: if it bounced without an end (bounce_series.h), it has done. */
-void pm_last_bounce_press(const pm_workspace *w, int contact);
 /* 1 if a closed contact that so slow a blow lets part at `rate`, m/s, would not part by more than rounding shows: it is
  * held. */
 int pm_last_bounce_is_held(const pm_workspace *w, int contact, double rate);

@@ -133,7 +133,7 @@ static void press(const pm_workspace *w, const pm_blow *b)
     for (int i = 0; i < w->model->nslot; i++) most = fmax(most, w->impulses.slot[2 * i]);
     for (int i = 0; i < w->model->nslot; i++)
         if (b->share[i] == PM_JOINED && w->impulses.slot[2 * i] > PM_BLOW_ROUNDING * most)
-            pm_last_bounce_press(w, pm_contact_of_slot(w->model, i));
+            pm_bounce_series_press(w, pm_contact_of_slot(w->model, i));
 }
 
 /* Modes after the blow: what parts is open; what stays is closed with the friction its slip asks for.  A struck contact

@@ -76,7 +76,7 @@ FAULTS = [
         "saddle->rhs[i] = along(saddle->model, saddle->numbers, &active->constraint[i], s->across)",
     ),
     Fault(
-        "uniform: weight counts as nothing that acts",
+        "ledger: weight counts as nothing that acts",
         "equations/ledger.c",
         "w->active.n == 0 && g[0] == 0 && g[1] == 0;",
         "w->active.n == 0 && !isnan(g[0]);",

@@ -363,8 +363,8 @@ FAULTS = [
     Fault(
         "path: a step that ends at a turning point but for rounding is one of the way",
         "routes/path/path_step.c",
-        "if (!p->at_rest && ends_at_rest(p))",
-        "if (0 && ends_at_rest(p))",
+        "if (!p->at_rest && ends_at_rest(p)) *way",
+        "if (0 && ends_at_rest(p)) *way",
     ),
     Fault(
         "path: the place of an extreme has no error",

@@ -73,8 +73,9 @@ def compared(name: str, route: str, first: int, cases: int, by: float) -> Found:
         return found
     param = changed(scene, usual, np.random.default_rng([first, *name.encode()]), cases, by)
     one, other = call.run_cases(usual, param), call.run_cases(flat, param)
+    keys = ask_keys(usual)
     for i in range(cases):
-        word, detail = _word(ask_keys(usual), one, other, i)
+        word, detail = _word(keys, one, other, i)
         found.words[word] += 1
         if word == TOLD:
             found.statuses[detail] += 1

@@ -216,6 +216,8 @@ void pm_path_check(pm_workspace *w);
 void pm_path_error_begin(pm_workspace *w);
 /* The phase has ended where the frame looks, before the blows of the instant. */
 void pm_path_error_end(pm_workspace *w);
+/* The error of T, J, where the step ends with `kinetic`, J. */
+double pm_path_error_after(const struct pm_path *path, double kinetic);
 /* After a step that ends with `kinetic`. */
 void pm_path_error_step(pm_workspace *w, double kinetic);
 /* T passed a barrier at `distance` above it, or reversed as much below. */

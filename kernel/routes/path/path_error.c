@@ -72,11 +72,16 @@ static void step_of_clock(const pm_model *model, const pm_state *state, pm_path 
     p->clock.unresolved += dt * PM_ERROR_UNRESOLVED * p->clock.tail;
 }
 
+double pm_path_error_after(const pm_path *p, double kinetic)
+{
+    const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
+    return p->error + PM_ENERGY_ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
+}
+
 void pm_path_error_step(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
-    const double potential = p->by_work ? 0 : fabs(p->node[0].potential);
-    p->error += PM_ENERGY_ROUNDINGS * (p->node[0].kinetic + kinetic + potential);
+    p->error = pm_path_error_after(p, kinetic);
     step_of_clock(w->model, &w->state, p);
     if (w->evidence.active && w->state.t > 0)
         w->evidence.present->late = PM_CLOCK_LIKELY * p->clock.unresolved / w->state.t;
@@ -294,8 +299,8 @@ static int is_at_other(const pm_model *m, int ask)
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_model *m = w->model;
-    if (is_at_other(m, ask) || !w->evidence.active || !w->evidence.by_places ||
-        w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH)
+    if (!w->evidence.active || !w->evidence.by_places ||
+        w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH || is_at_other(m, ask))
         return;
     double error;
     if (isnan(value) || m->programs.energy[program] == PM_ENERGY_CLASS_NONE || w->evidence.discrete[ask])

@@ -204,8 +204,7 @@ static double exact_kinetic(void *of, double s, void *context, double *slope)
 static int ends_at_rest(const pm_path *p)
 {
     const pm_place *end = &p->node[PM_NODES_MOST - 1];
-    const double energy = p->node[0].kinetic + (p->by_work ? 0 : fabs(p->node[0].potential));
-    return end->force * p->sense < 0 && end->kinetic <= p->error + PM_ENERGY_ROUNDINGS * energy;
+    return end->force * p->sense < 0 && end->kinetic <= pm_path_error_after(p, end->kinetic);
 }
 
 /* The way to the first place of the step where T vanishes; INFINITY if there is none. */
@@ -235,8 +234,8 @@ static int find_reversal(pm_workspace *w, double *way)
         *way = before > 0 ? s * p->h : 0;
         return status;
     }
-    if (!p->at_rest && ends_at_rest(p))
-        *way = p->h + p->node[PM_NODES_MOST - 1].kinetic / fabs(p->node[PM_NODES_MOST - 1].force);
+    const pm_place *end = &p->node[PM_NODES_MOST - 1];
+    if (!p->at_rest && ends_at_rest(p)) *way = p->h + end->kinetic / fabs(end->force);
     return PM_OK;
 }
 

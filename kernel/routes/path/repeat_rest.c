@@ -99,9 +99,9 @@ static int pass(pm_workspace *w, int *passed)
     const double time =
         w->model->programs.read_time ? w->state.t - rest->period.begin.t + (p->clock.late - rest->late) : 0;
     const int64_t most = pm_repeat_limit(w, &rest->period, &none, time);
-    const double n = (double)most;
     if (most == PM_REPEAT_FOR_EVER) return pm_repeat_limit_never(w);
     if (most < 1) return PM_OK;
+    const double n = (double)most;
     *passed = 1;
     p->clock.unresolved += n * (p->clock.unresolved - rest->unresolved);
     p->clock.error += n * (p->clock.error - rest->clock);
