@@ -17,6 +17,7 @@
 #include "elements/teeth.h"
 #include "elements/trigger.h"
 #include "equations/case.h"
+#include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "equations/shared_reading.h"
 #include "events/bounce_series.h"
@@ -297,6 +298,25 @@ static int leaves(const pm_frame *frame, const pm_state *state, int contact)
     if (!pm_contact_is_single(frame->model, contact)) pm_contact_gap(frame, state, contact, &member);
     pm_contact_member_gap(frame, contact, member, &rate);
     return rate > pm_contact_speed(frame);
+}
+
+double pm_event_value_at(pm_workspace *w, const pm_event_function *f, const pm_state *s)
+{
+    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
+    if (f->level == PM_LEVEL_DYNAMIC && pm_saddle_accelerate(w)) return NAN;
+    return pm_event_value(w, f);
+}
+
+/* Samples may show rounding alone, of what rests, or the little of a short step: its natural size tells what is zero. */
+void pm_event_hold_on_zero(pm_workspace *w)
+{
+    for (int i = 0; i < w->event->ntrigger; i++) {
+        pm_event_function *f = &w->event->function[i];
+        const double now = pm_event_value_at(w, f, &w->state), part = pm_case_shift(w, &w->probe);
+        const double natural = fabs(pm_event_value_at(w, f, &w->probe) - now) / part;
+        f->slack = isfinite(natural) ? PM_EVENT_ON_ZERO * natural : 0;
+        f->held |= fabs(now) <= f->slack;
+    }
 }
 
 /* What parts goes up from where it is, though that be too deep by what touching allows: from below zero a short bounce would

@@ -132,6 +132,11 @@ int pm_event_create(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */
 void pm_event_begin(pm_workspace *w);
+/* A function of the phase at a state, where the frame looks then; not a number where it has no value. */
+double pm_event_value_at(pm_workspace *w, const pm_event_function *f, const pm_state *s);
+/* Triggers that are zero now, but for the rounding of the state, are held until they have left their zero.  The frame looks
+ * elsewhere then. */
+void pm_event_hold_on_zero(pm_workspace *w);
 /* How many strands the cord of a slot has; 0: it is none.  A strand is told by twice its slot, and one more for the second. */
 int pm_event_strands(const pm_model *m, int slot);
 /* Its constraint, as a cord between two circles; of these radii how much length is nothing, m. */

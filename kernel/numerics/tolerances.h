@@ -217,6 +217,7 @@
 #define PM_LEAVING_HALVINGS 20 /* of a step: a trigger has left its zero where it is first seen off it; more: earlier zeros are seen */
 #define PM_LEAVING_LEAST 1e-14 /* of the place: so close to a zero that was located nothing has left it; larger: what comes back at once is missed */
 #define PM_LEAVING_JUMP 1e-2 /* of half the window about a switch: so close to a jump nothing has left it; larger: what comes back at once is missed, smaller: its scatter counts as more jumps */
+#define PM_EVENT_ON_ZERO 1e-12 /* of a trigger's natural size: zero as a phase in time begins; larger: what begins close to zero is missed */
 #define PM_EVENT_RATE_STEP 1e-4 /* of the step: differences that make the rate at a zero; larger: less exact, smaller: rounding */
 #define PM_PLACE_ROUNDING 1e-15 /* of the step: rounding of a place; larger: zeros are polished less */
 #define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look shows more; larger: zeros less exact */

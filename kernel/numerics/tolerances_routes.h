@@ -100,7 +100,6 @@
 #define PM_IDA_TRIES 40 /* of a step, each a quarter of the one before: forces that rise from nothing tell no first length; more would only put off the failure */
 #define PM_IDA_FIRST_STEP 0.3 /* of sqrt(tolerance) times the motion's own time: a step of order 1; more: rejected */
 #define PM_IDA_RATE_TIME 1e-4 /* of the motion's own time: distance of differences at the begin; more: curvature spoils them */
-#define PM_IDA_ON_ZERO 1e-12 /* of a trigger's natural size: zero at the begin; more: what begins close to zero is missed */
 #define PM_IDA_FLIGHT 0.05 /* of the flight of a bounce: a first step; more: its shape, of order 1, is lost */
 #define PM_IDA_SHORTEST 1e-4 /* of the first step else: no flight makes it shorter; more: the last bounces are lost */
 #define PM_IDA_LONGEST_STEP 0.25 /* of the motion's own time, where something is watched; more: unseen between samples */

@@ -34,6 +34,7 @@ LIBRARIES = os.environ.get("FAULTS_LIBRARIES", "-lgsl -lgslcblas -lsundials_ida 
 TEST_SECONDS = 12  # of the processor: a test that takes longer hangs; the slowest needs four
 WAIT_SECONDS = 20 * TEST_SECONDS  # of the clock: a test that waits for ever hangs too, without using any
 MESSAGE = 2000  # characters of a compiler's message that are worth showing
+SOUND = ".sound"  # the object of a source without a fault, while another stands in its place
 AUDIT = "-10, expected 0"  # how check.h prints a run that ended with PM_AUDIT
 
 
@@ -151,13 +152,18 @@ class Workshop:
     def plant(self, fault: Fault) -> list[str]:
         path = self.kernel / fault.file
         sound = path.read_text(encoding="utf-8")
-        path.write_text(planted(sound, fault), encoding="utf-8")
+        changed = planted(sound, fault)
+        users = [(name, self.object_of(name)) for name in self.users(fault.file)]
+        for _, built in users:
+            built.rename(built.with_suffix(SOUND))
+        path.write_text(changed, encoding="utf-8")
         try:
-            list(self.pool.map(self.compile, self.users(fault.file)))
+            list(self.pool.map(self.compile, [name for name, _ in users]))
             return self.check(fault.file)
         finally:
             path.write_text(sound, encoding="utf-8")
-            list(self.pool.map(self.compile, self.users(fault.file)))
+            for _, built in users:
+                built.with_suffix(SOUND).replace(built)
 
 
 def options() -> argparse.Namespace:

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "event: what begins on its zero is not held there",
+        "events/event.c",
+        "f->held |= fabs(now) <= f->slack",
+        "f->held |= fabs(now) <= 0 * f->slack",
+    ),
+    Fault(
         "strand: a cord stays on a rim that it has left",
         "events/event_strand.c",
         "if (f->kind == FUNCTION_WRAP) return ends(w, f->index, 1);",

@@ -41,12 +41,6 @@ FAULTS = [
     ),
     Fault("ida: sign of the bends", "routes/ida/ida_linear.c", "= -j->gv_slope[", "= j->gv_slope["),
     Fault(
-        "ida: what begins on its zero is not held there",
-        "routes/ida/route_ida.c",
-        "f->held |= fabs(now) <= f->slack",
-        "f->held |= fabs(now) <= 0 * f->slack",
-    ),
-    Fault(
         "ida: a first step beyond a whole bounce",
         "routes/ida/route_ida.c",
         "fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)))",

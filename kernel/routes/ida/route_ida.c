@@ -167,31 +167,13 @@ static double time_to_begin_with(const pm_frame *frame, const pm_state *state)
     return isfinite(scale) ? fmin(scale, frame->numbers->size / frame->numbers->speed) : scale;
 }
 
-/* A function of the phase at a state; not a number where it has no value. */
-static double value_at(pm_workspace *w, const pm_event_function *f, const pm_state *s)
-{
-    pm_frame_look(&w->frame, s->t, s->q, s->v, s->z, w->state.memory);
-    if (f->level == PM_LEVEL_DYNAMIC && pm_saddle_accelerate(w)) return NAN;
-    return pm_event_value(w, f);
-}
-
-/* A trigger that is zero at the begin but for rounding is held until it has left its zero.  First steps are so short that
- * their samples do not show it: its natural size does. */
-static void hold_on_zero(pm_workspace *w, pm_event_function *f)
-{
-    const double now = value_at(w, f, &w->state), part = pm_case_shift(w, &w->probe);
-    const double natural = fabs(value_at(w, f, &w->probe) - now) / part;
-    f->slack = isfinite(natural) ? PM_IDA_ON_ZERO * natural : 0;
-    f->held |= fabs(now) <= f->slack;
-}
-
 /* The gap of a contact a little later or earlier on a course of constant acceleration. */
 static double gap_on_course(pm_workspace *w, const pm_event_function *f, double time)
 {
     const double *a = accelerations(w->model, w->ida);
     pm_state_copy(&w->probe, &w->state);
     for (int i = 0; i < w->model->nq; i++) w->probe.q[i] += time * (w->state.v[i] + 0.5 * time * a[i]);
-    return value_at(w, f, &w->probe);
+    return pm_event_value_at(w, f, &w->probe);
 }
 
 /* Time until a contact that is left now is back; the first step, which is of order 1, must show that. */
@@ -210,9 +192,9 @@ static double flight(pm_workspace *w, const pm_event_function *f)
 static double begin_functions(pm_workspace *w)
 {
     double back = INFINITY;
+    pm_event_hold_on_zero(w);
     for (int i = 0; i < w->event->nfunction; i++) {
         pm_event_function *f = &w->event->function[i];
-        if (f->kind == FUNCTION_TRIGGER) hold_on_zero(w, f);
         if (f->kind == FUNCTION_GAP && f->held) back = fmin(back, flight(w, f));
     }
     return back;

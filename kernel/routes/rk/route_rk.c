@@ -69,6 +69,7 @@ static double eighth_root_of_inverse(double x) { return 1 / sqrt(sqrt(sqrt(x)));
 static int begin(pm_workspace *w)
 {
     struct pm_rk *r = w->rk;
+    pm_event_hold_on_zero(w);
     pm_tree_build(w);
     pm_frame_look_state(&w->frame, &w->state);
     r->n = w->tree->n;
