@@ -307,7 +307,7 @@ double pm_event_value_at(pm_workspace *w, const pm_event_function *f, const pm_s
     return pm_event_value(w, f);
 }
 
-/* Samples may show rounding alone, of what rests, or the little of a short step: its natural size tells what is zero. */
+/* The samples of what rests are rounding, and those of a short step are small: the natural size of a trigger tells what is zero. */
 void pm_event_hold_on_zero(pm_workspace *w)
 {
     for (int i = 0; i < w->event->ntrigger; i++) {
