@@ -26,7 +26,8 @@ static void note_switches(const pm_model *m, int op, int row, const pm_jet *a, p
         note(op, a, e);
         note(op, a + 1, e);
     }
-    if (op == PM_OP_ATAN2 && pm_jet_may_leap(a, a + 1)) note(PM_OP_GE, a, e);
+    const pm_jet *leaps = op == PM_OP_ATAN2 ? pm_jet_leaps_with(a, a + 1) : NULL;
+    if (leaps) note(PM_OP_GE, leaps, e);
     if (pm_operations[op].takes == 2 && pm_operation_has(op, SWITCHES)) {
         const pm_jet d = pm_jet_difference(a, a + 1);
         note(op, &d, e);

@@ -63,8 +63,8 @@ pm_jet pm_jet_hull(const pm_jet *a, const pm_jet *b);
 /* Whether an operation that switches by x stands alike all along: x keeps off zero (floor: off integers), or is monotonic and
  * stands alike at both ends. */
 int pm_jet_keeps_side(int op, const pm_jet *x);
-/* atan2(y, x) is where it may leap: beside x <= 0, where y is 0 or changes its sign. */
-int pm_jet_may_leap(const pm_jet *y, const pm_jet *x);
+/* The operand with whose sign atan2(y, x) may leap, where x < 0: y, or x where y is 0 all along; NULL: none. */
+const pm_jet *pm_jet_leaps_with(const pm_jet *y, const pm_jet *x);
 /* It stands otherwise at the end than at the beginning. */
 int pm_jet_changes(int op, const pm_jet *x);
 

@@ -259,15 +259,17 @@ static void length(const pm_jet *a, const pm_jet *b, pm_jet *f)
     f->bend = OVER(LESS(s.second, pm_interval_square(f->rate)), f->value);
 }
 
-int pm_jet_may_leap(const pm_jet *y, const pm_jet *x)
+const pm_jet *pm_jet_leaps_with(const pm_jet *y, const pm_jet *x)
 {
+    if (x->value.lo > 0 || !pm_interval_holds(y->value, 0)) return NULL;
     const int stands = y->value.lo == y->value.hi && !y->gaps;
-    return x->value.lo <= 0 && pm_interval_holds(y->value, 0) && !stands;
+    return stands ? x : y;
 }
 
 static void angle(const pm_jet *y, const pm_jet *x, pm_jet *f)
 {
-    if (pm_jet_may_leap(y, x)) {
+    const pm_jet *leaps = pm_jet_leaps_with(y, x);
+    if (leaps && !pm_jet_keeps_side(PM_OP_GE, leaps)) {
         f->value = (pm_interval){-M_PI, M_PI};
         f->rate = f->bend = PM_INTERVAL_ALL;
         return;

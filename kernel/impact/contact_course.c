@@ -49,12 +49,6 @@ static double clean(const pm_contact_course *x, double velocity)
     return fabs(velocity) <= PM_COURSE_ROUNDING * x->size ? 0 : velocity;
 }
 
-/* What does not slip has no slip that could end later. */
-static double slip_of(const pm_contact_course *x, double slip)
-{
-    return fabs(slip) <= fmax(x->no_slip, PM_COURSE_ROUNDING * x->size) ? 0 : slip;
-}
-
 /* ---- at once ---- */
 /* Directions whose velocities are taken away before the course: slip of rough contacts, bounces that are over. */
 static int list_at_once(pm_contact_course *x)
@@ -155,7 +149,7 @@ static void go(pm_contact_course *x, double s)
         x->impulse[2 * i] += p;
         x->impulse[2 * i + 1] += c->share[1] * s;
         u[0] = meets ? 0 : clean(x, u[0] + c->rate[0] * s);
-        u[1] = slip_ends ? 0 : slip_of(x, u[1] + c->rate[1] * s);
+        u[1] = slip_ends ? 0 : u[1] + c->rate[1] * s;
     }
     for (int k = 0; k < x->m; k++) {
         double *u = x->velocity + 2 * x->n + k;
@@ -300,6 +294,7 @@ static void begin(pm_contact_course *x)
     x->size = 0;
     memset(x->impulse, 0, (size_t)pm_contact_course_size(x) * sizeof *x->impulse);
     for (int i = 0; i < n; i++) x->size = fmax(x->size, fabs(x->velocity[i]));
+    x->no_slip = fmax(x->no_slip, PM_COURSE_ROUNDING * x->size);
     x->stretch.doubt = PM_COURSE_DOUBT * x->size;
     for (int i = 1; i < n; i += 2)
         if (fabs(x->velocity[i]) <= x->no_slip) x->velocity[i] = 0;

@@ -54,7 +54,7 @@ typedef struct pm_contact_course {
     double *response;                   /* [2n + m][2n + m] W: contacts, then slips of joints */
     double *reaction;                   /* [2m][2n + m] of the joints */
     double *velocity;                   /* [2n + m] before; what was found: after */
-    double no_slip;                     /* m/s: slower than this is no slip */
+    double no_slip;                     /* m/s: slower than this, or than rounding of the blow, is no slip */
     double exponent; /* of all contacts with stiffnesses (contact_springs.h); 0: all go at one pace */
     /* what was found */
     double *impulse; /* [2n + m] */

@@ -54,8 +54,14 @@ FAULTS = [
     Fault(
         "enclosure: an angle does not leap",
         "expression/enclosure_rules.c",
-        "return x->value.lo <= 0 && pm_interval_holds(y->value, 0) && !stands;",
-        "return 0 * stands;",
+        "return stands ? x : y;",
+        "return stands ? NULL : NULL;",
+    ),
+    Fault(
+        "enclosure: the angle of what is zero does not leap",
+        "expression/enclosure_rules.c",
+        "return stands ? x : y;",
+        "return stands ? NULL : y;",
     ),
     Fault(
         "fold: operands change places",

@@ -95,8 +95,8 @@ FAULTS = [
     Fault(
         "course: a slip of rounding goes on",
         "impact/contact_course.c",
-        "slip_of(x, u[1] + c->rate[1] * s)",
-        "u[1] + c->rate[1] * s",
+        "x->no_slip = fmax(x->no_slip, PM_COURSE_ROUNDING * x->size);",
+        "",
     ),
     Fault(
         "course: slips that end in turn are given up soon",

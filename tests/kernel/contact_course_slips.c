@@ -129,6 +129,35 @@ static void stopped_or_not(void)
     }
 }
 
+/* The slips that follow a blow where slower than no_slip is none; 0: no motion, or several. */
+static int slips_after(const problem *x, double no_slip, double slip[2])
+{
+    pose(x);
+    course.no_slip = no_slip;
+    const int found = pm_contact_course_follow(&course) == 1;
+    for (int i = 0; i < 2; i++) slip[i] = found ? course.velocity[2 * i + 1] : 0;
+    return found;
+}
+
+/* Slips of corners and edges at right angles end together.  What rounding leaves of them is no slip, however slow such a slip
+ * may be in the scene of a blow that is much faster. */
+static void rounding_is_no_slip(void)
+{
+    for (int k = 0; k < 2000; k++) {
+        const double e = check_random(0, 0.9), mu = check_random(0, 1.2);
+        problem x = {.inverse = {1, 1, check_random(2, 200), 1, 1, 1}};
+        for (int q = 0; q < 3; q++) x.velocity[q] = floor(check_random(-3, 3));
+        for (int i = 0; i < 2; i++) {
+            add_contact(&x, 0.5 * floor(check_random(-2, 3)), 0.5 * floor(check_random(-2, 3)),
+                        M_PI / 4 * floor(check_random(0, 8)), k % 2 ? PM_LAW_POISSON : PM_LAW_STRONGE);
+            x.mu[i] = mu, x.e[i] = i ? e : 0;
+        }
+        double slip[2], expected[2];
+        EQUAL(slips_after(&x, 0, slip), slips_after(&x, 1e-9, expected));
+        for (int i = 0; i < 2; i++) NEAR(slip[i], expected[i], CLOSE);
+    }
+}
+
 int main(void)
 {
     EQUAL(pm_contact_course_create(&course, &memory, MOST, 0), 0);
@@ -137,6 +166,7 @@ int main(void)
     hardly_any_slip_is_left();
     wedged_by_slips_in_turn();
     stopped_or_not();
+    rounding_is_no_slip();
     pm_arena_free(&memory);
     return check_failures();
 }

@@ -48,7 +48,7 @@ static double value_at(const scene *s, int program, double t, double derivative[
 static int look(const scene *s, int program, double from, double to)
 {
     const pm_enclosure e = pm_enclosure_of_time(s->model, program, NULL, s->w->numbers.value, from, to);
-    double last = NAN;
+    double last = NAN, before = NAN;
     if (e.open) return 0;
     for (int k = 0; k < 20; k++) {
         const double t = check_random(from, to);
@@ -64,8 +64,10 @@ static int look(const scene *s, int program, double from, double to)
         if (k % 2) {
             const double off = fabs(rate - last), most = pm_interval_size(e.jet.bend) * (to - from);
             CHECK(off <= most + 1e-9 * (1 + fabs(rate)));
+            CHECK(fabs(x - before) <= pm_interval_size(e.jet.rate) * (to - from) + 1e-9 * (1 + fabs(x)));
         }
         last = rate;
+        before = x;
     }
     return 20;
 }
