@@ -118,14 +118,25 @@ static int comes_again(const pm_blows *x, int k, int n)
     return 1;
 }
 
-/* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
+/* The last of the flights that are looked at: the one before a cycle, which tells whether the ratio has settled.  Between blows of
+ * one instant there is none: it tells nothing. */
+static int last_looked_at(const pm_blows *x, int k)
+{
+    int i = k;
+    while (i + k + 1 < x->n && flight(x, i) == 0 && flight(x, i + k) == 0) i++;
+    return i;
+}
+
+/* The ratio of the last cycle to the one before, if each flight, and one before them, has it and the order is the same; else 0. */
 static double ratio_of_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
     if (x->contact[0] != x->contact[k]) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
     if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED) || !comes_again(x, k, k + 1)) return 0;
+    const int last = last_looked_at(x, k);
+    if (last + k + 1 >= x->n || !comes_again(x, k, last + 1)) return 0;
     const double share = may_be_off(w, ratio);
-    for (int i = 0; i <= k; i++)
+    for (int i = 0; i <= last; i++)
         if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))
             return 0;
     return ratio;
@@ -179,7 +190,8 @@ static double expect_end(const pm_workspace *w, const pm_blow_order *all)
     while (now < all->n && all->time[now] == w->state.t) now++;
     const pm_blows x = {all->n - now, all->contact + now, all->time + now};
     double end = -INFINITY;
-    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x.n; k++) end = end_by_cycles(w, &x, k);
+    for (int k = 2; end == -INFINITY && k <= PM_SERIES_EXPECTED && 3 * k + 1 <= x.n; k++)
+        end = end_by_cycles(w, &x, k);
     return end;
 }
 
@@ -193,14 +205,21 @@ static void count_own(const pm_workspace *w, int near, int contact)
     x->own = e > 0 && e < 1 ? x->own + (x->own < 4) : 0;
 }
 
+/* As many as tell of cycles of k blows; more where blows of one instant have no flight between them. */
+static pm_blows blows_of(pm_event_set *e, int near, int k)
+{
+    pm_blows x = {e->order.n, e->order.contact, e->order.time};
+    if (flight(&x, k) == 0 && pm_blow_order_has(e, near, 3 * k + 1)) x.n = e->order.n;
+    return x;
+}
+
 static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
     pm_event_set *e = w->event;
     double ratio = 0;
     pm_blow_order_put(e, near, contact);
-    const pm_blows x = {e->order.n, e->order.contact, e->order.time};
-    for (int k = 1; ratio == 0 && 2 * k + 2 <= PM_SERIES_BLOWS && pm_blow_order_has(e, near, 2 * k + 2);
-         k++) {
+    for (int k = 1; ratio == 0 && k <= PM_SERIES_LONGEST && pm_blow_order_has(e, near, 2 * k + 2); k++) {
+        const pm_blows x = blows_of(e, near, k);
         ratio = ratio_of_cycles(w, &x, k);
         if (ratio > 0) tell(e, near, &x, k, ratio);
     }
