@@ -266,7 +266,9 @@ FAULTS = [
         "k <= PM_SERIES_LONGEST &&",
         "k <= 1 &&",
     ),
-    Fault("series: blows of one instant settle it", "events/bounce_series.c", "flight(x, i) == 0 &&", "0 &&"),
+    Fault(
+        "series: blows of one instant settle it", "events/blow_order.c", "flight(x, i) == 0 &&", "0 > i &&"
+    ),
     Fault(
         "series: a coarse run ends it where the main one does",
         "events/bounce_series.c",
