@@ -81,3 +81,18 @@ void pm_blow_order_put(pm_event_set *e, int near, int contact)
 {
     if (!goes_before(e, near, contact)) begin_order(e, near);
 }
+
+int pm_blows_come_again(const pm_blows *x, int k, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (x->contact[i] != x->contact[i + k]) return 0;
+    return 1;
+}
+
+/* Between blows of one instant there is no flight: it tells nothing. */
+int pm_blows_last_looked_at(const pm_blows *x, int k)
+{
+    int i = k;
+    while (i + k + 1 < x->n && pm_blows_flight(x, i) == 0 && pm_blows_flight(x, i + k) == 0) i++;
+    return i;
+}

@@ -93,15 +93,6 @@ static int find_near(const pm_workspace *w, int contact)
 }
 
 /* ---- the order of blows ---- */
-/* Some of them, without the latest. */
-typedef struct pm_blows {
-    int n;
-    const int *contact;
-    const double *time;
-} pm_blows;
-
-static double flight(const pm_blows *x, int i) { return x->time[i] - x->time[i + 1]; }
-
 /* By how much flights may be off a ratio that has settled, as a part of the flight before.  What they are off shrinks from cycle
  * to cycle as they do, so that a coarse run takes a ratio as settled some cycles earlier. */
 static double may_be_off(const pm_workspace *w, double ratio)
@@ -110,23 +101,18 @@ static double may_be_off(const pm_workspace *w, double ratio)
     return fmin(earlier * PM_SERIES_SETTLED, PM_SERIES_NEARLY) * ratio * (1 - ratio);
 }
 
-/* The last n blows were of the same contacts as those k before them. */
-static int comes_again(const pm_blows *x, int k, int n)
-{
-    for (int i = 0; i < n; i++)
-        if (x->contact[i] != x->contact[i + k]) return 0;
-    return 1;
-}
-
-/* Of 2 k + 2 blows the ratio of the last cycle to the one before, if each flight has it and the order is the same; else 0. */
+/* The ratio of the last cycle to the one before, if each flight, and one before them, has it and the order is the same; else 0. */
 static double ratio_of_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
     if (x->contact[0] != x->contact[k]) return 0;
     const double before = x->time[k] - x->time[2 * k], ratio = (x->time[0] - x->time[k]) / before;
-    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED) || !comes_again(x, k, k + 1)) return 0;
+    if (!(ratio > 0 && ratio < 1 - PM_SERIES_SETTLED) || !pm_blows_come_again(x, k, k + 1)) return 0;
+    const int last = pm_blows_last_looked_at(x, k);
+    if (last + k + 1 >= x->n || !pm_blows_come_again(x, k, last + 1)) return 0;
     const double share = may_be_off(w, ratio);
-    for (int i = 0; i <= k; i++)
-        if (!(fabs(flight(x, i) - ratio * flight(x, i + k)) < share * fmax(flight(x, i + k), before / k)))
+    for (int i = 0; i <= last; i++)
+        if (!(fabs(pm_blows_flight(x, i) - ratio * pm_blows_flight(x, i + k)) <
+              share * fmax(pm_blows_flight(x, i + k), before / k)))
             return 0;
     return ratio;
 }
@@ -162,7 +148,7 @@ static void tell(const pm_event_set *e, int near, const pm_blows *x, int k, doub
  * which shows how far it is known.  -INFINITY if not. */
 static double end_by_cycles(const pm_workspace *w, const pm_blows *x, int k)
 {
-    if (x->n < 3 * k + 1 || !comes_again(x, k, 2 * k)) return -INFINITY;
+    if (x->n < 3 * k + 1 || !pm_blows_come_again(x, k, 2 * k)) return -INFINITY;
     const double last = x->time[0] - x->time[k], before = x->time[k] - x->time[2 * k];
     const double ratio = last / before, earlier = before / (x->time[2 * k] - x->time[3 * k]);
     if (!(ratio > 0 && fmax(ratio, earlier) < 1 &&
@@ -179,7 +165,8 @@ static double expect_end(const pm_workspace *w, const pm_blow_order *all)
     while (now < all->n && all->time[now] == w->state.t) now++;
     const pm_blows x = {all->n - now, all->contact + now, all->time + now};
     double end = -INFINITY;
-    for (int k = 2; end == -INFINITY && 3 * k + 1 <= x.n; k++) end = end_by_cycles(w, &x, k);
+    for (int k = 2; end == -INFINITY && k <= PM_SERIES_EXPECTED && 3 * k + 1 <= x.n; k++)
+        end = end_by_cycles(w, &x, k);
     return end;
 }
 
@@ -193,14 +180,21 @@ static void count_own(const pm_workspace *w, int near, int contact)
     x->own = e > 0 && e < 1 ? x->own + (x->own < 4) : 0;
 }
 
+/* As many as tell of cycles of k blows; more where blows of one instant have no flight between them. */
+static pm_blows blows_of(pm_event_set *e, int near, int k)
+{
+    pm_blows x = {e->order.n, e->order.contact, e->order.time};
+    if (pm_blows_flight(&x, k) == 0 && pm_blow_order_has(e, near, 3 * k + 1)) x.n = e->order.n;
+    return x;
+}
+
 static void look_for_cycles(const pm_workspace *w, int near, int contact)
 {
     pm_event_set *e = w->event;
     double ratio = 0;
     pm_blow_order_put(e, near, contact);
-    const pm_blows x = {e->order.n, e->order.contact, e->order.time};
-    for (int k = 1; ratio == 0 && 2 * k + 2 <= PM_SERIES_BLOWS && pm_blow_order_has(e, near, 2 * k + 2);
-         k++) {
+    for (int k = 1; ratio == 0 && k <= PM_SERIES_LONGEST && pm_blow_order_has(e, near, 2 * k + 2); k++) {
+        const pm_blows x = blows_of(e, near, k);
         ratio = ratio_of_cycles(w, &x, k);
         if (ratio > 0) tell(e, near, &x, k, ratio);
     }

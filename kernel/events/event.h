@@ -71,7 +71,9 @@ typedef struct pm_event_function {
 } pm_event_function;
 
 /* The last blows of a contact (events/bounce_series.h). */
-#define PM_SERIES_BLOWS 18 /* two cycles of the longest order that is looked for, and one blow before them */
+#define PM_SERIES_LONGEST 8  /* blows in the longest order that is looked for */
+#define PM_SERIES_EXPECTED 5 /* likewise where its end is expected before its ratio has settled */
+#define PM_SERIES_BLOWS (3 * PM_SERIES_LONGEST + 1) /* three cycles, and one blow before them */
 typedef struct pm_bounce_series {
     int known;                      /* of these times */
     double struck[PM_SERIES_BLOWS]; /* s, the latest first */

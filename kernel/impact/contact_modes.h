@@ -14,6 +14,8 @@ enum pm_released { PM_HELD = 0, PM_LET_GO = 1, PM_FOR_GOOD = 2 };
 int pm_contact_modes_begin(pm_workspace *w);
 /* Fixes the modes and the active constraints of the next phase; on return w->state is projected and the frame DYNAMIC. */
 int pm_contact_modes_settle(pm_workspace *w);
+/* The same; where several motions are allowed, with what stands open by a hair if there is one motion with it. */
+int pm_contact_modes_settle_beside(pm_workspace *w);
 /* The modes that the accelerations at the frame ask for, of all closed contacts and those let go now, instead of the present
  * ones; *changed: whether any differs.  PM_NOT_UNIQUE, PM_PAINLEVE, PM_ROUGH_IMPOSSIBLE: where = contact; detail = its
  * coefficient of friction, contacts that take part; the modes are then as they were. */

@@ -86,7 +86,7 @@ static int strike(pm_workspace *w, int *jumped)
     w->instant.jams = 0;
     if (*jumped) pm_trigger_jump_sides(w);
     for (int i = 0; !status; i++) {
-        status = pm_contact_modes_settle(w);
+        status = pm_contact_modes_settle_beside(w);
         if (status != PM_PAINLEVE || i == w->model->nslot) return status;
         status = pm_impact_without_collision(w, (*jumped)++);
     }

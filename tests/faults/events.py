@@ -263,8 +263,11 @@ FAULTS = [
     Fault(
         "series: the order of its blows is not looked at",
         "events/bounce_series.c",
-        "2 * k + 2 <= PM_SERIES_BLOWS &&",
-        "2 * k + 2 <= 4 &&",
+        "k <= PM_SERIES_LONGEST &&",
+        "k <= 1 &&",
+    ),
+    Fault(
+        "series: blows of one instant settle it", "events/blow_order.c", "flight(x, i) == 0 &&", "0 > i &&"
     ),
     Fault(
         "series: a coarse run ends it where the main one does",

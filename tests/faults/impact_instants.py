@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "a foot that stands open by a hair does not hold what is not unique without it",
+        "impact/contact_modes_beside.c",
+        "if (status != PM_NOT_UNIQUE) return status;",
+        "return status;",
+    ),
+    Fault(
+        "a foot in the air holds what is not unique without it",
+        "impact/contact_modes_beside.c",
+        "gap <= PM_NEAR_BESIDE *",
+        "gap <= 10 * PM_NEAR_BESIDE *",
+    ),
+    Fault(
         "a foot that parts takes no part in a blow that is not unique without it",
         "impact/impact.c",
         "if (!status && joined > 0) {",

@@ -1,10 +1,13 @@
 /* Feet beside others of the same body: one that hardly stands open where the bounces of another end rests with it; one that touches
- * and parts takes part in a blow that is not unique without it. */
+ * and parts takes part in a blow that is not unique without it; one that stands open by a hair holds where it is not unique without. */
 #include "check.h"
 #include "elements/contact.h"
+#include "equations/active_set.h"
 #include "events/event.h"
 #include "events/last_bounce.h"
+#include "impact/contact_modes.h"
 #include "impact/impact.h"
+#include "numerics/tolerances_impact.h"
 #include "scene.h"
 #include "state/frame.h"
 #include "state/route.h"
@@ -123,9 +126,62 @@ static int parting_foot_takes_part(void)
     return status;
 }
 
+/* m/s^2, of a foot off its wall as the body starts to move. */
+static double rise(const pm_workspace *w, const gutter *x, const double place[2], int foot)
+{
+    const double angle = foot < C ? x->one : x->other, *a = w->frame.a;
+    return -sin(angle) * (a[0] - a[2] * (place[1] - w->state.q[1])) +
+           cos(angle) * (a[1] + a[2] * (place[0] - w->state.q[0]));
+}
+
+static void lie_on_two(pm_workspace *w)
+{
+    memset(w->state.v, 0, 3 * sizeof(double));
+    memset(w->instant.slot_released, 0, (size_t)w->model->nslot);
+    for (int i = 0; i < 3; i++) w->state.slot[i].mode = i == B ? PM_OPEN : PM_STICK;
+    pm_frame_look_state(&w->frame, &w->state);
+    for (int i = 0; i < 3; i++) pm_active_set_anchor(&w->frame, &w->state, i);
+}
+
+/* It lies still on A and C, which friction may hold, or not; B is open by `part` of what stays near.  Where several motions are
+ * allowed without B, and B is near, there is one with it that drives no foot into its wall.  1 if it stays at rest then. */
+static int still_foot_beside(double part)
+{
+    const gutter x = {
+        check_random(0.3, 0.5), check_random(0.05, 0.1), -check_random(0.6, 0.9), check_random(0.9, 1.3), 0.5,
+        check_random(0.8, 1.2)};
+    double place[3][2];
+    int still = 0;
+    scene *s = in_gutter(&x, 0, place);
+    EQUAL(scene_begin(s), PM_OK);
+    const double hair = part * PM_NEAR_BESIDE * s->w->numbers.size;
+    scene_free(s);
+    s = in_gutter(&x, hair, place);
+    EQUAL(scene_begin(s), PM_OK);
+    pm_workspace *w = s->w;
+    w->state.q[1] -= HIGHER;
+    lie_on_two(w);
+    const int several = pm_contact_modes_settle(w) == PM_NOT_UNIQUE;
+    lie_on_two(w);
+    const int status = several ? pm_contact_modes_settle_beside(w) : PM_OK;
+    if (several && (part > 1 || status)) {
+        EQUAL(status, PM_NOT_UNIQUE);
+        EQUAL(w->state.slot[B].mode, PM_OPEN);
+        EQUAL(w->result.where.table, PM_TABLE_CONTACT);
+    } else if (several) {
+        for (int i = 0; i < 3; i++) CHECK(rise(w, &x, place[i], i) > -1e-6);
+        still = fabs(w->frame.a[0]) + fabs(w->frame.a[1]) + x.wide * fabs(w->frame.a[2]) < 1e-6;
+    }
+    scene_free(s);
+    return still;
+}
+
 int main(void)
 {
-    int several = 0;
+    int several = 0, held = 0;
+    for (int i = 0; i < 1000; i++) held += still_foot_beside(check_random(0.1, 0.9));
+    CHECK(held > 500);
+    for (int i = 0; i < 1000; i++) EQUAL(still_foot_beside(check_random(1.1, 5)), 0);
     for (int i = 0; i < 100; i++) foot_beside(check_random(0.2, 0.9));
     for (int i = 0; i < 100; i++) foot_beside(check_random(1.2, 5));
     for (int i = 0; i < 10000; i++) several += parting_foot_takes_part() == PM_NOT_UNIQUE;
