@@ -235,9 +235,9 @@ int pm_joint_friction_overcome(pm_workspace *w, double slack)
                      limit = pm_joint_friction_limit(w, k);
         if (needed <= limit + slack * (rotates ? w->numbers.size : 1)) continue;
         pm_joint_friction_slides(w, k);
-        return 1;
+        return k;
     }
-    return 0;
+    return PM_NONE;
 }
 
 int pm_joint_friction_check_blow(pm_workspace *w)

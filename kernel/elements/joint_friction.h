@@ -44,7 +44,7 @@ void pm_joint_friction_close(const pm_frame *frame, pm_state *state);
 /* What the phase found: friction k has begun to slide, or has stopped. */
 void pm_joint_friction_slides(pm_workspace *w, int k);
 void pm_joint_friction_stops(const pm_frame *frame, pm_state *state, int k);
-/* The first friction that holds and that needs more than its limit begins to slide; 1 if there was one. */
+/* The first friction that holds and that needs more than its limit begins to slide: its number, or PM_NONE. */
 int pm_joint_friction_overcome(pm_workspace *w, double slack);
 /* What the friction of a joint is of its load: a number, or m; 0: it does not go with it. */
 double pm_joint_friction_coefficient(const pm_frame *frame, int k);

@@ -14,7 +14,15 @@ enum pm_released { PM_HELD = 0, PM_LET_GO = 1, PM_FOR_GOOD = 2 };
 int pm_contact_modes_begin(pm_workspace *w);
 /* Fixes the modes and the active constraints of the next phase; on return w->state is projected and the frame DYNAMIC. */
 int pm_contact_modes_settle(pm_workspace *w);
-/* The same; where several motions are allowed, with what stands open by a hair if there is one motion with it. */
+/* The accelerations and loads of the present modes; the state is projected on what these hold. */
+int pm_contact_modes_accelerate(pm_workspace *w);
+/* The mode in which the slip accelerates that a constraint held before. */
+int pm_contact_modes_way_of(const pm_frame *frame, pm_constraint *c);
+/* A friction of a joint, held by the joints alone, slips as it accelerates: 1 if one does. */
+int pm_contact_modes_reverse_joint(pm_workspace *w);
+/* A friction of a joint that needs more than its limit, and slack, slips, or teeth meet with their other flanks: 1 if they do. */
+int pm_contact_modes_joints_change(pm_workspace *w, double slack);
+/* As pm_contact_modes_settle; where several motions are allowed, with what stands open by a hair if there is one motion with it. */
 int pm_contact_modes_settle_beside(pm_workspace *w);
 /* The modes that the accelerations at the frame ask for, of all closed contacts and those let go now, instead of the present
  * ones; *changed: whether any differs.  PM_NOT_UNIQUE, PM_PAINLEVE, PM_ROUGH_IMPOSSIBLE: where = contact; detail = its

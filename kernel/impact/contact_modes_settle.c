@@ -5,8 +5,6 @@
 #include <string.h>
 
 #include "elements/contact.h"
-#include "elements/joint_friction.h"
-#include "elements/teeth.h"
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
@@ -70,7 +68,7 @@ static int stands(pm_workspace *w, double size)
            pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
 }
 
-static int accelerate(pm_workspace *w)
+int pm_contact_modes_accelerate(pm_workspace *w)
 {
     int status;
     pm_frame_look_state(&w->frame, &w->state);
@@ -92,28 +90,6 @@ static void take_back(pm_workspace *w)
     memcpy(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double));
 }
 
-/* The slip of a constraint accelerates so, which holds no more. */
-static int way_of(const pm_frame *frame, pm_constraint *c)
-{
-    pm_constraint_kind(c->kind)->evaluate(frame, c);
-    return pm_constraint_times(frame, c, frame->a) - c->gamma > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-}
-
-/* Lets a friction of a joint slip, where that makes the accelerations known; 1 if it does. */
-static int reverse_joint(pm_workspace *w, int k)
-{
-    pm_constraint slip;
-    if (w->state.friction[k] != PM_STICK) return 0;
-    w->state.friction[k] = PM_SLIDE_FORWARD;
-    if (accelerate(w)) {
-        w->state.friction[k] = PM_STICK;
-        return 0;
-    }
-    pm_joint_friction_constraint(&w->frame, k, &slip);
-    w->state.friction[k] = way_of(&w->frame, &slip);
-    return 1;
-}
-
 static int reverse_contact(pm_workspace *w, int slot)
 {
     pm_slot *s = &w->state.slot[slot];
@@ -121,24 +97,13 @@ static int reverse_contact(pm_workspace *w, int slot)
         pm_contact_friction(w->model, pm_contact_of_slot(w->model, slot)) != PM_FRICTION_COULOMB)
         return 0;
     s->mode = PM_SLIDE_FORWARD;
-    if (accelerate(w)) {
+    if (pm_contact_modes_accelerate(w)) {
         s->mode = PM_STICK;
         return 0;
     }
     pm_constraint slip = pm_contact_modes_tangent(&w->frame, &w->state, slot);
-    s->mode = way_of(&w->frame, &slip);
+    s->mode = pm_contact_modes_way_of(&w->frame, &slip);
     return 1;
-}
-
-/* At a dead centre a slip is zero because its mechanism reverses, and not because friction holds it: held there, it depends
- * on the joints.  It goes on the other way. */
-static int reverse_slip(pm_workspace *w)
-{
-    for (int k = 0; k < w->model->nfriction; k++)
-        if (reverse_joint(w, k)) return 1;
-    for (int i = 0; i < w->model->nslot; i++)
-        if (reverse_contact(w, i)) return 1;
-    return 0;
 }
 
 /* Where joints and drives give a slip, what would stick depends on them and holds nothing: a slip that turns back goes on the
@@ -180,7 +145,7 @@ static int are_absurd(const pm_workspace *w, double size)
 static int stand_now(pm_workspace *w)
 {
     take_back(w);
-    return !accelerate(w) && stands(w, force_size(&w->frame, &w->active));
+    return !pm_contact_modes_accelerate(w) && stands(w, force_size(&w->frame, &w->active));
 }
 
 /* Next to such a position what sticks is held so nearly by the joints that their reactions are none which contacts could give,
@@ -248,7 +213,7 @@ static void reverse_few(pm_workspace *w)
     for (int most = 1; most <= PM_REVERSED; most++)
         if (reverse_nearly(w, 0, most)) return;
     take_back(w);
-    (void)accelerate(w);
+    (void)pm_contact_modes_accelerate(w);
 }
 
 /* Modes that stand may not be the only ones. */
@@ -256,7 +221,7 @@ static int check_one(pm_workspace *w)
 {
     if (!pm_contact_modes_are_open_by_theory(w)) return PM_OK;
     const int status = pm_contact_modes_check_one(w);
-    return status ? status : accelerate(w);
+    return status ? status : pm_contact_modes_accelerate(w);
 }
 
 /* A blow, or the end of a slip, may leave a little of the slip of what sticks.  Where its mode is to slide the other way that is
@@ -313,19 +278,13 @@ static int account(pm_workspace *w)
     int status = account_for(w);
     pm_contact_modes_restore(&w->state, w->model, before);
     if (status == PM_SINGULAR && stopped) status = account_for(w);
-    return status ? status : accelerate(w);
+    return status ? status : pm_contact_modes_accelerate(w);
 }
 
 static int settled(pm_workspace *w, int solved)
 {
     const int status = solved ? PM_OK : check_one(w);
     return status ? status : account(w);
-}
-
-/* A friction of a joint gives way, or teeth meet with their other flanks. */
-static int joints_change(pm_workspace *w, double slack)
-{
-    return pm_joint_friction_overcome(w, slack) || pm_teeth_turn_pulling(w, slack);
 }
 
 /* They stand, or stay because solving for them has changed none; of these, some with absurd loads are reversed. */
@@ -371,18 +330,18 @@ int pm_contact_modes_settle(pm_workspace *w)
     keep(w);
     for (int i = 0, changed = 1; i < most; i++) {
         take_back(w);
-        int status = accelerate(w);
+        int status = pm_contact_modes_accelerate(w);
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
         if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);
-        if (status == PM_SINGULAR && reverse_slip(w)) status = accelerate(w);
+        if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w)) status = pm_contact_modes_accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;
         if (!singular) {
             if (status || w->phase.kinematic) return status;
-            if (let_driven_go(w) && (status = accelerate(w))) return status;
+            if (let_driven_go(w) && (status = pm_contact_modes_accelerate(w))) return status;
             const double size = force_size(&w->frame, &w->active);
             if (stay(w, size, changed)) {
-                if (!joints_change(w, PM_PULLS * size)) return settled(w, solved);
+                if (!pm_contact_modes_joints_change(w, PM_PULLS * size)) return settled(w, solved);
                 changed = 1;
                 continue;
             }

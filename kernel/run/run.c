@@ -117,12 +117,12 @@ static int open_ledger(pm_workspace *w)
     return PM_OK;
 }
 
-/* The constraints have just been built.  Before contacts and cords are closed: what has no mass may need them, and its
- * acceleration is not known yet. */
+/* The constraints have just been built.  Before contacts and cords are closed, and joints that rub slip: what has no mass may need
+ * them, friction may hold what reverses at a dead centre, and accelerations are not known yet. */
 static int accelerate_unfastened(pm_workspace *w)
 {
     const int status = pm_saddle_accelerate_projected(w);
-    if (status != PM_SINGULAR || !w->numbers.massless) return status;
+    if (status != PM_SINGULAR || !(w->numbers.massless || w->model->nfriction > 0)) return status;
     w->result.where = nowhere;
     memset(w->frame.a, 0, (size_t)w->model->nq * sizeof(double));
     w->frame.level = PM_LEVEL_DYNAMIC;

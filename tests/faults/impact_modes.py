@@ -42,8 +42,8 @@ FAULTS = [
     Fault(
         "settle: modes that were tried leave their projection behind",
         "impact/contact_modes_settle.c",
-        "take_back(w);\n        int status = accelerate(w);",
-        "int status = accelerate(w);",
+        "take_back(w);\n        int status = pm_contact_modes_accelerate(w);",
+        "int status = pm_contact_modes_accelerate(w);",
     ),
     Fault(
         "settle: what stops a slip is not booked",
@@ -83,19 +83,19 @@ FAULTS = [
     ),
     Fault(
         "settle: a joint's friction holds a dead centre",
-        "impact/contact_modes_settle.c",
-        "if (reverse_joint(w, k)) return 1;",
-        "(void)reverse_joint;",
+        "impact/contact_modes_joints.c",
+        "if (reverse(w, k)) return 1;",
+        "(void)reverse;",
     ),
     Fault(
-        "settle: a contact's friction holds a dead centre",
-        "impact/contact_modes_settle.c",
-        "if (reverse_contact(w, i)) return 1;",
-        "(void)reverse_contact;",
+        "settle: rounding next to a dead centre tells the way of a joint's slip",
+        "impact/contact_modes_joints.c",
+        "choose_way(w, k);",
+        "(void)choose_way;",
     ),
     Fault(
         "settle: a slip reverses the wrong way",
-        "impact/contact_modes_settle.c",
+        "impact/contact_modes_joints.c",
         "c->gamma > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD",
         "c->gamma > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD",
     ),

@@ -82,4 +82,10 @@ FAULTS = [
         "return 0 * w->phase.stiff;",
     ),
     Fault("plan: a rule without its condition", "run/plan.c", "(!r->when || r->when(w)) && ", ""),
+    Fault(
+        "run: a joint's friction holds what starts at its dead centre",
+        "run/run.c",
+        "|| w->model->nfriction > 0",
+        "",
+    ),
 ]
