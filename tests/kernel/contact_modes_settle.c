@@ -322,8 +322,29 @@ static void what_clearly_holds_is_held(double hair, int last)
     scene_free(s);
 }
 
+/* A rod whose foot is all but drawn in by its friction, or drawn away from there: where its modes change in turn it jams, or not.
+ * Friction draws it in from mu = W_n / W_nt on. */
+static void jams(double angle, int way)
+{
+    const double c = cos(angle), d = sin(angle), critical = (1 + 3 * c * c) / (3 * c * d);
+    scene *s = scene_create();
+    const int b = scene_body(s, 1, 1 / 12., 0.5 * c, 0.5 * d, 0), foot = scene_point(s, b, -0.5 * c, -0.5 * d);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, foot, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB,
+                  (1 - 1e-12) * critical);
+    scene_start_velocity(s, foot, -4 * way, 0);
+    scene_start_omega(s, b, 0);
+    scene_until_time(s, 0.1);
+    EQUAL(scene_begin(s), PM_OK);
+    EQUAL(pm_instant_jams(s->w, PM_ALTERNATES), way > 0 ? PM_PAINLEVE : PM_ALTERNATES);
+    scene_free(s);
+}
+
 int main(void)
 {
+    for (int k = 1; k < 6; k++) {
+        jams(0.25 * k, 1);
+        jams(0.25 * k, -1);
+    }
     others_leave_its_way(PM_ROUTE_RK, 0);
     others_leave_its_way(PM_ROUTE_RK, 1e-9);
     others_leave_its_way(PM_ROUTE_IDA, 1e-5);
