@@ -148,10 +148,4 @@ FAULTS = [
         "flight && may_fire(w, r, i, &x))",
         "flight && 0 * may_fire(w, r, i, &x))",
     ),
-    Fault(
-        "gap: what closes with another contact is not found",
-        "routes/uniform/uniform_gap.c",
-        "const double until = end * (1 + PM_UNIFORM_TOGETHER);",
-        "const double until = end;",
-    ),
 ]

@@ -196,24 +196,22 @@ static double advance(pm_workspace *w, int contact, double h, int *root)
     return safe;
 }
 
-/* What closes with the contact that ends the step is found, too. */
 void pm_uniform_gap(pm_workspace *w, int contact, double end)
 {
     pm_uniform *u = w->uniform;
     pm_closing *x = &u->closing[contact];
-    const double until = end * (1 + PM_UNIFORM_TOGETHER);
-    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) x->safe = until;
-    for (int i = 0; i < PM_UNIFORM_ADVANCES && x->safe < until && x->root == INFINITY; i++) {
+    if (pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact)) x->safe = end;
+    for (int i = 0; i < PM_UNIFORM_ADVANCES && x->safe < end && x->root == INFINITY; i++) {
         int root; /* enum pm_end_of_advance */
         pm_uniform_look(w, x->safe);
-        const double step = advance(w, contact, until - x->safe, &root);
+        const double step = advance(w, contact, end - x->safe, &root);
         if (root != OPEN || step <= PM_UNIFORM_TIME_ROUNDING * (fabs(u->t0) + x->safe)) {
             x->root = fmax(0, x->safe + step);
             x->exact = root == EXACTLY;
             /* it has parted, and no time shows in which it comes back */
             if (u->t0 + x->root == u->t0) w->event->spent[contact] = 1;
         } else {
-            x->safe = step >= until - x->safe ? until : x->safe + step;
+            x->safe = step >= end - x->safe ? end : x->safe + step;
         }
     }
 }
