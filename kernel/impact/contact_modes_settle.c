@@ -334,7 +334,8 @@ int pm_contact_modes_settle(pm_workspace *w)
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
         if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);
-        if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w)) status = pm_contact_modes_accelerate(w);
+        if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w))
+            status = pm_contact_modes_accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;
         if (!singular) {
             if (status || w->phase.kinematic) return status;

@@ -328,7 +328,8 @@ static void jams(double angle, int way)
 {
     const double c = cos(angle), d = sin(angle), critical = (1 + 3 * c * c) / (3 * c * d);
     scene *s = scene_create();
-    const int b = scene_body(s, 1, 1 / 12., 0.5 * c, 0.5 * d, 0), foot = scene_point(s, b, -0.5 * c, -0.5 * d);
+    const int b = scene_body(s, 1, 1 / 12., 0.5 * c, 0.5 * d, 0),
+              foot = scene_point(s, b, -0.5 * c, -0.5 * d);
     scene_contact(s, PM_CONTACT_LINE, scene_circle(s, foot, 0), scene_floor(s, 0), 0, 0, PM_FRICTION_COULOMB,
                   (1 - 1e-12) * critical);
     scene_start_velocity(s, foot, -4 * way, 0);
