@@ -61,18 +61,6 @@ FAULTS = [
         "return a->rate < 0 && b->rate > 0",
     ),
     Fault(
-        "law: samples tell every slope",
-        "events/extremum_law.c",
-        "return !(bend < 0) ||",
-        "return 0 && !(bend < 0) &&",
-    ),
-    Fault(
-        "law: no top rises by more than nodes differ",
-        "events/extremum_law.c",
-        "if (!p->law || w->ask->switches[p->ask] == 0)",
-        "if (1)",
-    ),
-    Fault(
         "bound: what searches have not met is not there",
         "events/ask_step.c",
         "return status ? status : pm_extremum_bound_take(w, ask);",
