@@ -3,13 +3,17 @@
 #include <math.h>
 
 #include "events/extremum_parts.h"
+#include "events/watched_samples.h"
 #include "events/waves.h"
 #include "numerics/bracket.h"
 #include "state/workspace.h"
 
 static int program_of(const pm_workspace *w, int ask) { return pm_ask_program(PM_ASK_ROW(w->model, ask)); }
 
-int pm_extremum_law_known(const pm_workspace *w, int ask) { return pm_waves_tell_law(w, program_of(w, ask)); }
+int pm_extremum_law_known(const pm_workspace *w, int ask)
+{
+    return pm_waves_tell_law(w, program_of(w, ask), PM_SAMPLE_ASKS);
+}
 
 static pm_jet law(const pm_workspace *w, const pm_extremum *p, double s)
 {

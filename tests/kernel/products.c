@@ -104,7 +104,8 @@ static truth truth_of(const product *p)
         here = next;
     }
     t.sum = (double)(sum * h / 3);
-    t.sharp = (double)fabsl(value(p, t.place + 1e-3L) + value(p, t.place - 1e-3L) - 2 * value(p, t.place)) * 1e6;
+    t.sharp =
+        (double)fabsl(value(p, t.place + 1e-3L) + value(p, t.place - 1e-3L) - 2 * value(p, t.place)) * 1e6;
     return t;
 }
 
