@@ -50,12 +50,18 @@ static double beyond(pm_bounded_side *x, double from, double to)
     return isnan(first) ? beyond(x, middle, to) : first;
 }
 
+/* Between three nodes or more, whose samples tell the bends (PM_WAVES_CALM times their range), no dip is deeper. */
+static int may_reach(const pm_event_course *of, int k)
+{
+    return pm_min(fabs(of->g[k]), fabs(of->g[k + 1])) < PM_DIP_FAR * (of->high - of->low);
+}
+
 int pm_event_bound_beyond(pm_workspace *w, int i, const pm_event_course *of, int k, double *where,
                           double *value)
 {
     pm_event_function *f = &w->event->function[i];
     const double *at = w->step.nodes->at;
-    if (f->kind != FUNCTION_TRIGGER || f->every) return 0;
+    if (f->kind != FUNCTION_TRIGGER || f->every || !may_reach(of, k)) return 0;
     pm_bounded_side x = {.w = w,
                          .program = PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM],
                          .sign = of->g[k] > 0 ? 1 : -1,

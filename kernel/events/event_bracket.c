@@ -316,7 +316,7 @@ static int through_and_back(pm_workspace *w, int i, const pm_event_course *of, i
         if (near && returns(w, f, g, k, place, where, value)) return k + 1;
         if (k + 2 < of->n && dips(w, f, g + k, of->biggest, place, where, value)) return k + 2;
     }
-    return near && pm_event_bound_beyond(w, i, of, k, where, value) ? k + 1 : 0;
+    return pm_event_bound_beyond(w, i, of, k, where, value) ? k + 1 : 0;
 }
 
 /* The first bracket between two nodes, from node `first` on. */

@@ -11,7 +11,8 @@
 #define PIECES 4000 /* of the way, in which the closed form is monotonic or turns once */
 #define FACTORS 8
 #define TERMS 3
-#define TOUCHES 1e-7
+#define TOUCHES 1e-8
+#define EXTREMES 16
 #define CODE 400
 
 /* offset + cos(angle - place) */
@@ -30,7 +31,7 @@ static int one_of(int n) { return (int)check_random(0, n); }
 
 static product random_product(void)
 {
-    product p = {.terms = 1 + one_of(TERMS), .flat = one_of(3) == 0, .level = check_random(-0.5, 0.5)};
+    product p = {.terms = 1 + one_of(TERMS), .flat = one_of(3) == 0};
     for (int i = 0; i < p.terms; i++) {
         const int same = one_of(2); /* a power */
         p.degree[i] = p.flat ? 2 + one_of(3) : 3 + one_of(FACTORS - 2);
@@ -74,38 +75,58 @@ static long double top(const product *p, double sign, long double a, long double
 typedef struct truth {
     double most, place, second, sharp; /* greatest value; the next best top; bend at the first */
     double sum;                        /* integral */
-    double least_off;                  /* zero at an extreme or an end */
-    int crossings;
+    double off, last;                  /* how near an extreme or an end comes to zero; the last value */
+    double extreme[EXTREMES];
+    int crossings, extremes;
 } truth;
 
-static void take_extreme(truth *t, const product *p, long double at, int is_top)
+static void meet(truth *t, long double value)
 {
-    const double x = (double)value(p, at);
-    t->least_off = fmin(fabs(x), t->least_off);
+    t->crossings += (double)value * t->last < 0;
+    t->last = (double)value;
+}
+
+static void take_extreme(truth *t, double x, long double at, int is_top)
+{
+    t->off = fmin(fabs(x), t->off);
+    if (t->extremes < EXTREMES) t->extreme[t->extremes++] = x;
     if (!is_top) return;
     t->second = fmax(t->second, fmin(x, t->most));
     if (x > t->most) t->most = x, t->place = (double)at;
 }
 
+/* Beside the place `at`, where the value is `here`, and at it, in their order. */
+static void take_place(truth *t, const product *p, long double at, const long double value_of[3])
+{
+    const long double h = (long double)END / PIECES, here = value_of[1];
+    const int up = here > value_of[0] && here >= value_of[2],
+              down = here < value_of[0] && here <= value_of[2];
+    if (!up && !down) {
+        meet(t, here);
+        return;
+    }
+    const long double place = top(p, up ? 1 : -1, fmaxl(at - h, 0), fminl(at + h, END)), x = value(p, place);
+    take_extreme(t, (double)x, place, up);
+    meet(t, place < at ? x : here);
+    meet(t, place < at ? here : x);
+}
+
 static truth truth_of(const product *p)
 {
-    truth t = {.most = -INFINITY, .second = -INFINITY, .least_off = INFINITY};
+    truth t = {.most = -INFINITY, .second = -INFINITY, .off = INFINITY};
     const long double h = (long double)END / PIECES;
-    long double last = value(p, -h), here = value(p, 0), sum = 0;
+    long double near[3] = {value(p, -h), value(p, 0), 0}, sum = 0;
     for (int i = 0; i <= PIECES; i++) {
-        const long double at = h * i, next = value(p, at + h);
-        sum += (i == 0 || i == PIECES ? 1 : i % 2 ? 4 : 2) * here;
-        if (i == 0 || i == PIECES) take_extreme(&t, p, at, 1);
-        if (i > 0 && last * here < 0) t.crossings++;
-        for (int sign = -1; sign < 2; sign += 2)
-            if (sign * here > sign * last && sign * here >= sign * next)
-                take_extreme(&t, p, top(p, sign, fmaxl(at - h, 0), fminl(at + h, END)), sign > 0);
-        last = here;
-        here = next;
+        near[2] = value(p, h * (i + 1));
+        sum += (i == 0 || i == PIECES ? 1 : i % 2 ? 4 : 2) * near[1];
+        if (i == 0 || i == PIECES) take_extreme(&t, (double)near[1], h * i, 1);
+        take_place(&t, p, h * i, near);
+        near[0] = near[1];
+        near[1] = near[2];
     }
+    const long double d = 1e-3L, beside = value(p, t.place + d) + value(p, t.place - d);
     t.sum = (double)(sum * h / 3);
-    t.sharp =
-        (double)fabsl(value(p, t.place + 1e-3L) + value(p, t.place - 1e-3L) - 2 * value(p, t.place)) * 1e6;
+    t.sharp = (double)fabsl((beside - 2 * value(p, t.place)) / (d * d));
     return t;
 }
 
@@ -183,15 +204,24 @@ static double answer(int route, const product *p, int asked)
     return out;
 }
 
+/* How often it goes through a level that it hardly goes beyond. */
+static void try_level(int route, product *p, const truth *t)
+{
+    const double beyond = pow(10, check_random(-7, -2));
+    p->level = t->extreme[one_of(t->extremes)] + (one_of(2) ? beyond : -beyond);
+    const truth beside = truth_of(p);
+    if (beside.off > TOUCHES) EQUAL(answer(route, p, COUNT), beside.crossings);
+}
+
 static void try_product(int route)
 {
-    const product p = random_product();
+    product p = random_product();
     const truth t = truth_of(&p);
     const double good = route == PM_ROUTE_IDA ? 1e-7 : 1e-9;
     NEAR(answer(route, &p, MOST), t.most, good);
     if (route != PM_ROUTE_PATH) NEAR(answer(route, &p, SUM), t.sum, good);
     if (t.most - t.second > good && t.sharp > 0.1) NEAR(answer(route, &p, PLACE), t.place, 1e-5);
-    if (t.least_off > TOUCHES) EQUAL(answer(route, &p, COUNT), t.crossings);
+    try_level(route, &p, &t);
 }
 
 int main(void)
