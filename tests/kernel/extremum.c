@@ -3,7 +3,7 @@
 #include "check.h"
 #include "scene.h"
 
-#define PLACES 40
+#define PLACES 20
 #define END 3.0 /* rad */
 
 static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_UNIFORM};
@@ -225,55 +225,6 @@ static void jump_before_a_corner(int route, int kind)
     scene_free(x.s);
 }
 
-/* ---- programs of sums and products alone, which have no law to be bounded by (waves.h): what nodes show is all there is ---- */
-#define TIMES_U U, MUL
-
-/* u u u / 3 - e u: like cubic_top; where the top is, too. */
-static void cubic_of_products(int route, double e, int place)
-{
-    const double far = sqrt(e);
-    for (double end = END; end > 2.6; end -= 0.2) {
-        wheel x = turning_to(route, end);
-        const int cubic =
-            SCENE_PROGRAM(x.s, U, TIMES_U, TIMES_U, K(3), scene_op(PM_OP_DIV), U, K(e), MUL, SUB);
-        scene_ask_extreme(x.s, place ? PM_ASK_AT_MAX : PM_ASK_MAX, place ? SCENE_PROGRAM(x.s, U) : cubic,
-                          place ? cubic : PM_NONE);
-        expect_extreme(x, end - 1.9 * far, end + 0.9 * far, place ? -far : 2 * e * far / 3,
-                       place ? 1e-7 : 1e-11);
-    }
-}
-
-/* 1 - (u u - e)^2: like flat_top and parted_tops. */
-static void quartic_of_products(int route, double e, double middle, double end)
-{
-    wheel x = turning_to(route, end);
-    const double near = 0.95 * sqrt(e) + 0.01;
-    scene_ask_extreme(x.s, PM_ASK_MAX,
-                      SCENE_PROGRAM(x.s, K(1), U, TIMES_U, K(e), SUB, U, TIMES_U, K(e), SUB, MUL, SUB),
-                      PM_NONE);
-    expect_extreme(x, middle - near, middle + near * (middle < end), 1, 1e-10);
-}
-
-/* cos^8 u, or 1 - (1 - cos^2 u)^2, which is flat there, by the coordinates of a point of the wheel: the nodes resolve neither
- * to rounding. */
-#define COSINE                                                                                           \
-    scene_m(px), scene_v(x.c), scene_op(PM_OP_COS), MUL, scene_m(py), scene_v(x.c), scene_op(PM_OP_SIN), \
-        MUL, ADD
-#define COSINE_2 COSINE, COSINE, MUL
-#define COSINE_4 COSINE_2, COSINE_2, MUL
-
-static void power_of_coordinates(int route, int flat, double accuracy, double bound)
-{
-    wheel x = turning(route);
-    const int point = scene_point(x.s, 0, 1, 0), px = scene_part(x.s, PM_MEASURE_POSITION, point, PM_PART_X),
-              py = scene_part(x.s, PM_MEASURE_POSITION, point, PM_PART_Y);
-    scene_set(x.s, PM_SETTING_ACCURACY, accuracy);
-    const int power = SCENE_PROGRAM(x.s, COSINE_4, COSINE_4, MUL);
-    const int level = SCENE_PROGRAM(x.s, K(1), K(1), COSINE_2, SUB, K(1), COSINE_2, SUB, MUL, SUB);
-    scene_ask_extreme(x.s, PM_ASK_MAX, flat ? level : power, PM_NONE);
-    expect_extreme(x, 0.3, 2.7, 1, bound);
-}
-
 /* u^3 / 3 - e u, just what the cubic through two nodes is: the top at u = -sqrt(e), up to where the value rises again. */
 static void cubic_top(int route, double e)
 {
@@ -342,26 +293,12 @@ int main(void)
         for (int k = 0; k < PARTED; k++) {
             parted_tops(routes[i], 0.3, parted[k], 0, END);
             parted_tops(routes[i], 0.7, parted[k], 0, END);
-            for (double end = END; end > 2.6; end -= 0.04) {
+            for (double end = END; end > 2.6; end -= 0.13) {
                 parted_tops(routes[i], 0.3, parted[k], end, end);
                 parted_tops(routes[i], 0.7, parted[k], end, end);
             }
         }
         for (int k = 0; k < PARTED; k++) cubic_top(routes[i], parted[k]);
-        if (routes[i] != PM_ROUTE_IDA) { /* which takes a hundred times as long, and searches alike */
-            for (int k = 2; k < PARTED; k++) {
-                cubic_of_products(routes[i], parted[k], 0);
-                cubic_of_products(routes[i], parted[k], 1);
-                quartic_of_products(routes[i], parted[k], 1.5, END);
-                for (double end = END; end > 2.6; end -= 0.3)
-                    quartic_of_products(routes[i], parted[k], end, end);
-            }
-            quartic_of_products(routes[i], 0, 1.5, END);
-            for (double accuracy = 1e-10; accuracy < 1e-2; accuracy *= 1e3)
-                for (int flat = 0; flat < 2; flat++)
-                    power_of_coordinates(routes[i], flat, accuracy,
-                                         routes[i] == PM_ROUTE_PATH ? accuracy : 1e-11);
-        }
         for (int halvings = 1; halvings < 6; halvings++) {
             narrow_top(routes[i], 1e-3, halvings);
             narrow_top(routes[i], 1e-5, halvings);
