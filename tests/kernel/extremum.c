@@ -246,8 +246,8 @@ static void no_value_at_top(int route)
                                        SCENE_PROGRAM(s, K(1), U, SQUARE, SUB, U, SQUARE, K(1e-4), SUB,
                                                      scene_op(PM_OP_SQRT), K(0), MUL, ADD));
     const int end = scene_ask_measure(s, x.turned);
-    for (int i = 0; i < PLACES; i++) {
-        const double c = 0.5 + 2 * (i + 0.37) / PLACES;
+    for (int i = 0; i < 2 * PLACES; i++) {
+        const double c = 0.5 + 2 * (i + 0.37) / (2 * PLACES);
         EQUAL(scene_run(s, &c), PM_OK);
         CHECK(isnan(s->out[none]));
         EQUAL(s->reason[0], PM_REASON_UNDEFINED);
