@@ -340,4 +340,16 @@ FAULTS = [
         "value_at(x, low, high, part * all)",
         "value_at(x, low, high, part)",
     ),
+    Fault(
+        "waves: products have none",
+        "events/wave_kinds.c",
+        "return degree_of(m, program) < PM_WAVES_DEGREE ? most : PM_WAVES_ANY;",
+        "return most;",
+    ),
+    Fault(
+        "event: no bound tells of a dip through zero",
+        "events/event_bracket.c",
+        "return pm_event_bound_beyond(w, i, of, k, where, value) ? k + 1 : 0;",
+        "return 0;",
+    ),
 ]
