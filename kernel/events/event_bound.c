@@ -3,11 +3,10 @@
  * Where its samples are compared with enclosures (waves.h), what these leave out may still be deeper than a sample is above zero.
  * A part whose bound stays on the side of its samples is left out, and so is one along which the value only rises or falls;
  * what is left is halved. */
-#include "events/event_parts.h"
+#include "events/event_bound.h"
 
 #include <math.h>
 
-#include "events/step.h"
 #include "events/watched_samples.h"
 #include "events/waves.h"
 #include "numerics/minmax.h"
@@ -50,27 +49,10 @@ static double beyond(pm_bounded_side *x, double from, double to)
     return isnan(first) ? beyond(x, middle, to) : first;
 }
 
-/* Between three nodes or more, whose samples tell the bends (PM_WAVES_CALM times their range), no dip is deeper. */
-static int may_reach(const pm_event_course *of, int k)
+double pm_event_bound_beyond(const pm_workspace *w, int program, double sign, double nothing, double from,
+                             double to)
 {
-    return pm_min(fabs(of->g[k]), fabs(of->g[k + 1])) < PM_DIP_FAR * (of->high - of->low);
-}
-
-int pm_event_bound_beyond(pm_workspace *w, int i, const pm_event_course *of, int k, double *where,
-                          double *value)
-{
-    pm_event_function *f = &w->event->function[i];
-    const double *at = w->step.nodes->at;
-    if (f->kind != FUNCTION_TRIGGER || f->every || !may_reach(of, k)) return 0;
-    pm_bounded_side x = {.w = w,
-                         .program = PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM],
-                         .sign = of->g[k] > 0 ? 1 : -1,
-                         .nothing = w->numbers.tolerance * of->biggest,
-                         .budget = PM_BOUND_PARTS};
-    if (!pm_waves_may_be(w, x.program) || !pm_waves_tell_law(w, x.program, PM_SAMPLE_TRIGGERS)) return 0;
-    const double s = beyond(&x, at[k], at[k + 1]);
-    if (isnan(s)) return 0;
-    *where = w->step.begin + s * (w->step.sampled_end - w->step.begin);
-    *value = pm_event_samples_along(w, *where, f);
-    return x.sign * *value < 0;
+    pm_bounded_side x = {w, program, sign, nothing, PM_BOUND_PARTS};
+    if (!pm_waves_may_be(w, program) || !pm_waves_tell_law(w, program, PM_SAMPLE_TRIGGERS)) return NAN;
+    return beyond(&x, from, to);
 }

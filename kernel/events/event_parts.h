@@ -39,12 +39,6 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x);
 /* The first bracket of function i in the step, which has been sampled, after `from`; 0 if there is none. */
 int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x);
 
-/* ---- event_bound.c ---- */
-/* Trigger i, on one side of zero at node k and the next, is beyond it at *where between them, by its law, with *value; 0: it is
- * not, or that is not known. */
-int pm_event_bound_beyond(pm_workspace *w, int i, const pm_event_course *of, int k, double *where,
-                          double *value);
-
 /* ---- event_locate.c: where in its bracket it is zero ---- */
 /* The root of function i in the bracket x, on the dense output; the samples may become those of one member of a pattern. */
 int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place);
