@@ -78,6 +78,15 @@ static void top_and_dip(int route, double q, double end, int place)
     expect_extreme(w, end - 1.9 * q, end + 0.9 * q, place ? -q : sin(q) * (cos(q) - a), place ? 1e-7 : 1e-11);
 }
 
+/* cos^2 u, which few nodes of long steps do not resolve. */
+static void square(int route, double accuracy, double bound)
+{
+    wheel w = turning_to(route, END);
+    scene_set(w.s, PM_SETTING_ACCURACY, accuracy);
+    scene_ask_extreme(w.s, PM_ASK_MAX, SCENE_PROGRAM(w.s, COSINE, COSINE, MUL), PM_NONE);
+    expect_extreme(w, 0.3, 2.3, 1, bound);
+}
+
 static void try_route(int route)
 {
     for (int k = 0; k < PARTED; k++) {
@@ -90,7 +99,9 @@ static void try_route(int route)
         }
     }
     parted_tops(route, 0, 1.4, 1.6, END, 1e-11, 1e-11);
-    for (double accuracy = 1e-10; accuracy < 1e-2; accuracy *= 1e3)
+    for (double accuracy = 1e-11; accuracy < 1e-2; accuracy *= 10)
+        square(route, accuracy, route == PM_ROUTE_PATH ? accuracy : 1e-11);
+    for (double accuracy = 1e-11; accuracy < 1e-2; accuracy *= 10)
         parted_tops(route, 0.1, 0.5, 2.5, END, accuracy, route == PM_ROUTE_PATH ? accuracy : 1e-11);
 }
 
