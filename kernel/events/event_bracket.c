@@ -17,6 +17,7 @@
  * A function that is on its zero when the step begins has no side yet: it is looked for where it has left.  One that has
  * rested there until the phase began is through when it leaves. */
 #include "events/edge_passage.h"
+#include "events/event_bound.h"
 #include "events/event_parts.h"
 #include "events/step.h"
 
@@ -304,27 +305,58 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
     return 1;
 }
 
+/* Between three nodes or more, whose samples tell the bends (PM_WAVES_CALM times their range), no dip is deeper. */
+static int may_reach(const pm_event_course *of, int k)
+{
+    return fmin(fabs(of->g[k]), fabs(of->g[k + 1])) < PM_DIP_FAR * (of->high - of->low);
+}
+
+/* A trigger between node k and the next, by bounds: it is beyond zero at *where. */
+static int is_bounded_beyond(pm_workspace *w, pm_event_function *f, const pm_event_course *of, int k,
+                             double *where, double *value)
+{
+    const double *at = w->step.nodes->at, sign = of->g[k] > 0 ? 1 : -1;
+    if (f->kind != FUNCTION_TRIGGER || f->every || !may_reach(of, k)) return 0;
+    const double s = pm_event_bound_beyond(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], sign,
+                                           w->numbers.tolerance * of->biggest, at[k], at[k + 1]);
+    if (isnan(s)) return 0;
+    *where = w->step.begin + s * (w->step.sampled_end - w->step.begin);
+    *value = pm_event_samples_along(w, *where, f);
+    return sign * *value < 0;
+}
+
+/* Node k and the next are on one side of zero: a place beyond it, *where, and the node behind that; 0: there is none. */
+static int through_and_back(pm_workspace *w, int i, const pm_event_course *of, int k, double *where,
+                            double *value)
+{
+    const double *place = w->event->place + k, *g = of->g, close = PM_DIP_NEAR * of->biggest;
+    pm_event_function *f = &w->event->function[i];
+    const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close;
+    if (shows_dip(of, k) ||
+        (near && pm_event_samples_tail(&w->step, w->event, i, of) >= PM_CHEBYSHEV_SMOOTH)) {
+        if (near && returns(w, f, g, k, place, where, value)) return k + 1;
+        if (k + 2 < of->n && dips(w, f, g + k, of->biggest, place, where, value)) return k + 2;
+    }
+    return is_bounded_beyond(w, f, of, k, where, value) ? k + 1 : 0;
+}
+
 /* The first bracket between two nodes, from node `first` on. */
 static int search(pm_workspace *w, int i, const pm_event_course *of, int first, double from, pm_span *x)
 {
-    const double *place = w->event->place, *g = of->g, close = PM_DIP_NEAR * of->biggest;
+    const double *place = w->event->place, *g = of->g;
     pm_event_function *f = &w->event->function[i];
     for (int k = first; k + 1 < of->n; k++) {
         if (f->edge != PM_NONE && g[k] > 0 && pm_edge_passage_between(w, i, k, pm_event_samples_along, x) &&
             x->b > from)
             return 1;
-        const int near = fabs(g[k]) < close || fabs(g[k + 1]) < close, dip = shows_dip(of, k);
-        if (g[k] * g[k + 1] > 0 && !dip &&
-            !(near && pm_event_samples_tail(&w->step, w->event, i, of) >= PM_CHEBYSHEV_SMOOTH))
-            continue;
-        double where, value;
         if (crosses(f, g[k], g[k + 1])) {
             *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
             return 1;
         }
-        const int returned = near && returns(w, f, g, k, place + k, &where, &value), after = k + 2 - returned;
-        if (!returned && !(after < of->n && dips(w, f, g + k, of->biggest, place + k, &where, &value)))
-            continue;
+        if (!(g[k] * g[k + 1] > 0)) continue;
+        double where, value;
+        const int after = through_and_back(w, i, of, k, &where, &value);
+        if (!after) continue;
         *x = may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
                                 : (pm_span){where, place[after], value, g[after]};
         if (x->b > from) return 1;

@@ -131,15 +131,11 @@ static int next_top(const pm_chebyshev_nodes *nodes, const pm_extremum *p, int k
     return n;
 }
 
-/* *shown is 0 if one of them is not as the samples show it. */
-static int extremes_of_samples(pm_workspace *w, pm_extremum *p, int *shown)
+static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
-    *shown = 1;
     for (int k = 0; (k = next_top(nodes, p, k, 1)) < nodes->n; k++) {
         const double s = vertex(nodes, p, k);
-        *shown = !p->law || !pm_extremum_law_denies(w, p, k);
-        if (!*shown) return PM_OK;
         if (isnan(s)) continue;
         const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, s);
         if (x.s <= p->end) p->met |= 1u << pm_extremum_rise_interval(nodes, x.s);
@@ -185,12 +181,12 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     /* an extreme between the nodes exceeds them by no more than their spread */
-    if (spread <= PM_EXTREMUM_LEVEL * p->size || (!p->steep && p->g[top] + spread < p->best)) return PM_OK;
-    const double wide = p->steep ? INFINITY : PM_EXTREMUM_WIDE;
+    if (spread <= PM_EXTREMUM_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
     p->tail = INFINITY;
     p->met = 0;
     if (p->spectral) {
-        if (next_top(nodes, p, 0, wide) == nodes->n && !pm_extremum_hidden_possible(nodes, p)) return PM_OK;
+        if (next_top(nodes, p, 0, PM_EXTREMUM_WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p))
+            return PM_OK;
         p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
         p->slope_error = PM_EXTREMUM_SLOPE_TAIL * nodes->n * p->tail * p->size;
         p->nothing = pm_max(PM_EXTREMUM_NOTHING, PM_EXTREMUM_SHARE * w->numbers.tolerance) * p->size;
@@ -201,13 +197,10 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         const int status = pm_extremum_branch_all(w, p, &taken);
         if (status || taken) return status;
     }
-    if (p->spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH)) {
-        int shown;
-        const int status = extremes_of_samples(w, p, &shown);
-        if (status || shown) return status;
-    }
+    if (p->spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH))
+        return extremes_of_samples(w, p);
     if (p->law) p->tail = INFINITY;
-    for (int k = 0; (k = next_top(nodes, p, k, wide)) < nodes->n; k++) {
+    for (int k = 0; (k = next_top(nodes, p, k, PM_EXTREMUM_WIDE)) < nodes->n; k++) {
         p->met |= (k > 0 ? 3u << (k - 1) : 1u);
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
         if (!status && k + 1 < nodes->n) status = extreme_beside_top(w, p, k, spread);
@@ -252,7 +245,6 @@ int pm_extremum_take(pm_workspace *w, int ask)
     p.end = (w->step.end - w->step.begin) / (w->step.sampled_end - w->step.begin);
     const double best = p.sign * w->ask->best[ask];
     p.best = best > p.g[top_inside] ? best : p.g[top_inside];
-    p.steep = pm_extremum_law_may_be_steep(w, &p);
     const int status = pm_extremum_find(w, &p, top, p.g[top] - least);
     return status ? status : offer_node(w, &p, top_inside);
 }

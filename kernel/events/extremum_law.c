@@ -1,26 +1,18 @@
 /* extremum_law.c - extremes of a value that may have waves or narrow tops along a step: by its law, that is, by what the program
- * makes of its measures, which the samples do show (waves.h).
- *
- * The highest coefficients of samples may be small by chance: one half of a symmetric top looks like a straight line that
- * ends in a corner.  Their slope at the top is not the program's then. */
+ * makes of its measures, which the samples do show (waves.h). */
 #include <math.h>
 
 #include "events/extremum_parts.h"
+#include "events/watched_samples.h"
 #include "events/waves.h"
 #include "numerics/bracket.h"
-#include "numerics/chebyshev.h"
-#include "numerics/tolerances.h"
 #include "state/workspace.h"
 
 static int program_of(const pm_workspace *w, int ask) { return pm_ask_program(PM_ASK_ROW(w->model, ask)); }
 
-int pm_extremum_law_known(const pm_workspace *w, int ask) { return pm_waves_tell_law(w, program_of(w, ask)); }
-
-int pm_extremum_law_may_be_steep(const pm_workspace *w, const pm_extremum *p)
+int pm_extremum_law_known(const pm_workspace *w, int ask)
 {
-    if (!p->law || w->ask->switches[p->ask] == 0) return 0;
-    const pm_interval bounds = pm_waves_enclosed(w, program_of(w, p->ask), 0, 1).jet.value;
-    return !((p->sign > 0 ? bounds.hi : -bounds.lo) <= p->best);
+    return pm_waves_tell_law(w, program_of(w, ask), PM_SAMPLE_ASKS);
 }
 
 static pm_jet law(const pm_workspace *w, const pm_extremum *p, double s)
@@ -34,18 +26,6 @@ pm_extremum_slope pm_extremum_law_slope(pm_workspace *w, const pm_extremum *p, d
 {
     const pm_jet x = law(w, p, s);
     return (pm_extremum_slope){s, p->sign * x.at[1], p->sign * middle(x.rate)};
-}
-
-int pm_extremum_law_denies(pm_workspace *w, const pm_extremum *p, int k)
-{
-    const pm_chebyshev_nodes *nodes = w->step.nodes;
-    const int n = nodes->n, at_end = k == 0 || k + 1 == n;
-    const pm_jet x = law(w, p, nodes->at[k]);
-    const double slope = pm_chebyshev_slope_at(nodes, p->g, k);
-    const double rate = p->sign * middle(x.rate), bend = p->sign * middle(x.bend), off = fabs(rate - slope);
-    const double error = (at_end ? PM_EXTREMUM_END_TAIL / PM_EXTREMUM_SLOPE_TAIL : 1) * p->slope_error;
-    if (off <= error + n * n * PM_EXTREMUM_ROUNDING * p->size) return 0;
-    return !(bend < 0) || off * (2 * fabs(rate) + off) > -2 * bend * p->nothing;
 }
 
 static double rate_at(void *of, double s, void *context, double *bend)

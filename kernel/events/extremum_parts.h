@@ -28,8 +28,7 @@ typedef struct pm_extremum {
     double end;     /* of the step, as a fraction of what is sampled */
     double slope_error;
     int spectral; /* the samples are at nodes of Chebyshev polynomials, and nothing is asked where another is extreme */
-    int law;   /* what the program makes of its measures is known along the step (extremum_law.c) */
-    int steep; /* one of its branches may rise above the best by more than the nodes differ by */
+    int law; /* what the program makes of its measures is known along the step (extremum_law.c) */
     pm_extremum_of_branch *branch; /* NULL: the program has no switches, or none changes */
     int first, last;               /* nodes beside which extremes are looked for */
     uint32_t met;                  /* bit k: between node k and the next one has been found */
@@ -114,13 +113,8 @@ int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_ex
 /* ---- extremum_law.c ---- */
 /* Whether the program's law is known along the step. */
 int pm_extremum_law_known(const pm_workspace *w, int ask);
-/* Whether a program with switches may be better than the best by more than the nodes differ by: a node may stand in a narrow top
- * of one branch by chance. */
-int pm_extremum_law_may_be_steep(const pm_workspace *w, const pm_extremum *p);
 /* Value and rate by it. */
 pm_extremum_slope pm_extremum_law_slope(pm_workspace *w, const pm_extremum *p, double s);
-/* The slope that the samples tell at node k is another one: they do not show an extreme there. */
-int pm_extremum_law_denies(pm_workspace *w, const pm_extremum *p, int k);
 /* Between two places where it rises and falls: the value at the root of its rate. */
 int pm_extremum_law_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a,
                         const pm_extremum_slope *b);

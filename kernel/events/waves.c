@@ -26,7 +26,7 @@
 typedef struct pm_waves {
     unsigned char *possible; /* [programs] of these */
     pm_measure_series along; /* series[watched measures] */
-    int filled;              /* those that asks read are of the present step */
+    int filled; /* PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS: those that they read are of the present step */
 } pm_waves;
 
 /* ---- which programs ---- */
@@ -265,10 +265,10 @@ static int is_shown_by_few(const pm_waves_course *c)
     return left_out <= PM_WAVES_FEW * pm_interval_width(range) + nothing_of(c, range);
 }
 
-int pm_waves_tell_law(const pm_workspace *w, int program)
+int pm_waves_tell_law(const pm_workspace *w, int program, int who)
 {
     const pm_waves *x = w->watched->waves;
-    return x->filled && x->possible[program] != PM_WAVES_NONE &&
+    return (x->filled & who) && x->possible[program] != PM_WAVES_NONE &&
            known(&(pm_waves_course){.w = w, .program = program}) == SERIES_KNOWN;
 }
 
@@ -288,7 +288,7 @@ static void fill_series(pm_workspace *w, int functions, int watched)
 {
     const pm_watched_samples *s = w->watched;
     const int who = (functions ? PM_SAMPLE_TRIGGERS : 0) | (watched ? PM_SAMPLE_ASKS : 0);
-    w->watched->waves->filled = watched;
+    w->watched->waves->filled = who;
     for (int i = 0; i < s->n; i++)
         if (s->who[i] & who)
             pm_chebyshev_series_of(w->watched->waves->along.series + i, w->step.nodes,

@@ -24,8 +24,9 @@ int pm_waves_are_shown(pm_workspace *w, int functions, int watched);
 double pm_waves_first_switch(pm_workspace *w, int functions, int watched);
 /* Nothing has been sampled that tells a program's law. */
 void pm_waves_forget(pm_workspace *w);
-/* 1 if the samples of all measures that a program reads, which may have waves by them, show these along the step. */
-int pm_waves_tell_law(const pm_workspace *w, int program);
+/* 1 if the samples of all measures that a program reads, which may have waves by them, show these along the step: a program of
+ * triggers or of asks (PM_SAMPLE_TRIGGERS, PM_SAMPLE_ASKS). */
+int pm_waves_tell_law(const pm_workspace *w, int program, int who);
 /* The program at s (0 to 1) of the step by its law: what it makes of its measures there; of the branch with these signs, or
  * (NULL) of the one that is taken. */
 pm_jet pm_waves_law(const pm_workspace *w, int program, const signed char *sign, double s);

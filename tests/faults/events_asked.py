@@ -61,18 +61,6 @@ FAULTS = [
         "return a->rate < 0 && b->rate > 0",
     ),
     Fault(
-        "law: samples tell every slope",
-        "events/extremum_law.c",
-        "return !(bend < 0) ||",
-        "return 0 && !(bend < 0) &&",
-    ),
-    Fault(
-        "law: no top rises by more than nodes differ",
-        "events/extremum_law.c",
-        "if (!p->law || w->ask->switches[p->ask] == 0)",
-        "if (1)",
-    ),
-    Fault(
         "bound: what searches have not met is not there",
         "events/ask_step.c",
         "return status ? status : pm_extremum_bound_take(w, ask);",
@@ -351,5 +339,17 @@ FAULTS = [
         "events/percentile.c",
         "value_at(x, low, high, part * all)",
         "value_at(x, low, high, part)",
+    ),
+    Fault(
+        "waves: products have none",
+        "events/wave_kinds.c",
+        "return degree_of(m, program) < PM_WAVES_DEGREE ? most : PM_WAVES_ANY;",
+        "return most;",
+    ),
+    Fault(
+        "event: no bound tells of a dip through zero",
+        "events/event_bracket.c",
+        "return is_bounded_beyond(w, f, of, k, where, value) ? k + 1 : 0;",
+        "return 0;",
     ),
 ]

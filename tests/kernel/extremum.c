@@ -3,7 +3,7 @@
 #include "check.h"
 #include "scene.h"
 
-#define PLACES 40
+#define PLACES 20
 #define END 3.0 /* rad */
 
 static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_UNIFORM};
@@ -246,8 +246,8 @@ static void no_value_at_top(int route)
                                        SCENE_PROGRAM(s, K(1), U, SQUARE, SUB, U, SQUARE, K(1e-4), SUB,
                                                      scene_op(PM_OP_SQRT), K(0), MUL, ADD));
     const int end = scene_ask_measure(s, x.turned);
-    for (int i = 0; i < PLACES; i++) {
-        const double c = 0.5 + 2 * (i + 0.37) / PLACES;
+    for (int i = 0; i < 2 * PLACES; i++) {
+        const double c = 0.5 + 2 * (i + 0.37) / (2 * PLACES);
         EQUAL(scene_run(s, &c), PM_OK);
         CHECK(isnan(s->out[none]));
         EQUAL(s->reason[0], PM_REASON_UNDEFINED);
@@ -293,7 +293,7 @@ int main(void)
         for (int k = 0; k < PARTED; k++) {
             parted_tops(routes[i], 0.3, parted[k], 0, END);
             parted_tops(routes[i], 0.7, parted[k], 0, END);
-            for (double end = END; end > 2.6; end -= 0.04) {
+            for (double end = END; end > 2.6; end -= 0.13) {
                 parted_tops(routes[i], 0.3, parted[k], end, end);
                 parted_tops(routes[i], 0.7, parted[k], end, end);
             }
