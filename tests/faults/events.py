@@ -105,8 +105,8 @@ FAULTS = [
     Fault(
         "missed root: a dip beside the end of a step",
         "events/event_bracket.c",
-        "const int returned = near &&",
-        "const int returned = 0 &&",
+        "if (near && returns(w,",
+        "if (0 && returns(w,",
     ),
     Fault(
         "missed root: dips do not show at nodes",
