@@ -135,15 +135,9 @@ void pm_gap_culling_keep(pm_gap_culling *x, const pm_model *m, int contact, doub
         x->left[contact] = PM_CULLING_PART * gap - PM_CULLING_BETWEEN * moved(x, body);
 }
 
-/* A short way of a mark beside a fixed edge: what strikes it near an end is behind it for no longer. */
-static double part_of_edge(const pm_numbers *numbers, const int32_t *e)
-{
-    return PM_CULLING_EDGE * (numbers->value[e[PM_CONTACT_TO]] - numbers->value[e[PM_CONTACT_FROM]]);
-}
-
 static double through_curve(const pm_numbers *numbers, int curve)
 {
-    return fmin(numbers->course[curve].fine, PM_CULLING_EDGE * numbers->course[curve].size);
+    return fmin(numbers->course[curve].fine, PM_CULLING_CURVE * numbers->course[curve].size);
 }
 
 /* The sum of the radii of two circles, or of a circle and a member of a pattern (a point); 0 of what cannot be gone
@@ -160,21 +154,9 @@ static double through(const pm_model *m, const pm_numbers *numbers, int contact)
         return numbers->value[e[PM_CONTACT_SIDE]] == 1
                    ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
                    : 0;
-    case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);
     case PM_CONTACT_CURVE: return through_curve(numbers, e[PM_CONTACT_B]);
     default: return 0;
     }
-}
-
-/* The bodies of what a mark may go through between two nodes. */
-static int bodies_of_passage(const pm_model *m, int contact, int body[2])
-{
-    const int32_t *e = PM_CONTACT_ROW(m, contact);
-    if (e[PM_CONTACT_KIND] != PM_CONTACT_SEGMENT) return bodies_of(m, contact, body);
-    const int point = PM_LINE_ROW(m, e[PM_CONTACT_B])[PM_LINE_POINT];
-    body[0] = body_of_circle(m, e[PM_CONTACT_A]);
-    body[1] = m->nbody;
-    return PM_POINT_ROW(m, point)[PM_POINT_BODY] == PM_GROUND;
 }
 
 /* How fast the origin of a body goes against that of another, and the circles about them: rates are velocities or
@@ -201,7 +183,7 @@ double pm_gap_culling_time(const pm_workspace *w, const double *v, const double 
         int body[2], member;
         if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
         const double radii = through(w->model, &w->numbers, contact);
-        if (!(radii > 0) || !bodies_of_passage(w->model, contact, body)) continue;
+        if (!(radii > 0) || !bodies_of(w->model, contact, body)) continue;
         const double safe = (w->step.nodes->n - 1) * radii, left = e->culling.left[contact];
         const double free =
             left > safe ? left : PM_CULLING_WITHIN * pm_contact_gap(&w->frame, &w->state, contact, &member);

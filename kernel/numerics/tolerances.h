@@ -266,7 +266,7 @@
 #define PM_CULLING_PART 0.5 /* of a gap: its marks may move so far unseen; larger: seen too late */
 #define PM_CULLING_BETWEEN 3.0 /* times the movement at the nodes: between them it is less (Lebesgue constants); larger: more is looked at */
 #define PM_CULLING_WITHIN 0.9 /* of a gap: so far two circles may come in a step without meeting; larger: one may pass the other */
-#define PM_CULLING_EDGE 0.01 /* of an edge's length: what strikes near its end is behind it for that way; larger: longer steps miss it */
+#define PM_CULLING_CURVE 0.01 /* of the size of a curve: what strikes it near an end of it is behind it for that way; larger: longer steps miss it */
 #define PM_CULLING_LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next; larger: more is looked at */
 #define PM_PASSAGE_BEND 2.0 /* times the deviation that differences of nodes show: of a way from its chord; larger: more looks */
 #define PM_PASSAGE_LOOKS 40 /* for a passage through an edge between two nodes; fewer: grazing ones are not seen */

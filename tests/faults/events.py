@@ -219,12 +219,6 @@ FAULTS = [
     ),
     Fault("culling: accelerations do not count", "events/gap_culling.c", "+ 2 * rate * way", ""),
     Fault(
-        "culling: edges are passed in long steps",
-        "events/gap_culling.c",
-        "case PM_CONTACT_SEGMENT: return part_of_edge(numbers, e);",
-        "",
-    ),
-    Fault(
         "nodes: measures in another order",
         "events/watched_samples.c",
         "s->place[measure] = i;",
