@@ -34,6 +34,24 @@ static void passes(double miss, int steep, int route)
     scene_free(s);
 }
 
+/* Thrown all but straight up, past a post's tip on its way up, a ball meets it on its way down, t later. */
+static void meets_on_its_way_down(double vx, double vy, double t, int route)
+{
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const double g = 9.81;
+    const int centre = scene_point(s, scene_body(s, 1, 0, 0, 0, 0), 0, 0);
+    const int tip = scene_point(s, PM_GROUND, vx * t, vy * t - 0.5 * g * t * t);
+    const int hit = scene_capture(s, PM_CONTACT_POINT, scene_circle(s, centre, 0), scene_circle(s, tip, 0), 0,
+                                  PM_CAPTURE_POINT);
+    scene_start_velocity(s, centre, vx, vy);
+    scene_until_time(s, 2.2 * vy / g);
+    const int closed = scene_ask_measure(s, scene_measure(s, PM_MEASURE_CONTACT_CLOSED, hit));
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[closed], 1);
+    scene_free(s);
+}
+
 /* What goes by a post has not met it when something else happens beside it: a ball that strikes a wall, or one that meets a
  * post of its own. */
 static void others_meet_beside(double miss, int meets, int route)
@@ -94,6 +112,11 @@ static void comes_round(double miss, int route)
 
 int main(void)
 {
+    for (int k = 0; k < 30; k++) {
+        const double vx = 0.02 * (k + 1), vy = 1.3 + 0.9 * k, part = 1.2 + 0.02 * k;
+        meets_on_its_way_down(vx, vy, part * vy / 9.81, routes[k % 2]);
+        meets_on_its_way_down(0.1 * vx, vy, part * vy / 9.81, routes[1 - k % 2]);
+    }
     for (int i = 0; i < 3; i++) {
         for (int steep = 0; steep < 2; steep++)
             for (int k = 0; k < 3; k++)
