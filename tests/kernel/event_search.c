@@ -226,8 +226,40 @@ static void slips_for_an_instant(int route)
     scene_free(s);
 }
 
+/* ---- ties ---- */
+/* A ball that is thrown and turns, until what drives it changes at T: by the time, or where it is down.  What is zero there, but
+ * for rounding, fires once: its place, its angle, or the time. */
+static void fires_where_a_phase_ends(int route, int by_time, int what)
+{
+    const double height = check_random(0.1, 3), t = sqrt(2 * height / G), at = check_random(-5, 5),
+                 speed = check_random(-3, 3), spin = check_random(-3, 3), off = check_random(-4e-16, 4e-16);
+    scene *s = scene_create();
+    *scene_setting(s, PM_SETTING_ROUTE) = route;
+    const int ball = scene_body(s, 1, 1, at, height, 0), centre = scene_point(s, ball, 0, 0),
+              time = scene_time(s), up = scene_part(s, PM_MEASURE_POSITION, centre, PM_PART_Y);
+    const int drives = SCENE_PROGRAM(s, scene_m(by_time ? time : up), scene_k(s, by_time ? t : 0),
+                                     scene_op(by_time ? PM_OP_GT : PM_OP_LT), scene_k(s, check_random(-3, 3)),
+                                     scene_op(PM_OP_MUL));
+    scene_applied(s, centre, PM_GROUND, drives, drives);
+    scene_start_velocity(s, centre, speed, 0);
+    scene_start_omega(s, ball, spin);
+    const int along = scene_part(s, PM_MEASURE_POSITION, centre, PM_PART_X),
+              turned = scene_measure(s, PM_MEASURE_TURNED, ball);
+    const int watched[] = {along, turned, time};
+    const double zero[] = {at + speed * t, spin * t, t}, rate[] = {speed, spin, 1};
+    const int event = scene_when(s, rate[what] > 0 ? PM_TRIGGER_RISE : PM_TRIGGER_FALL,
+                                 scene_minus(s, watched[what], zero[what] * (1 + off)));
+    const int count = scene_ask_measure(s, scene_measure(s, PM_MEASURE_EVENT_COUNT, event));
+    scene_until_time(s, 1.05 * t);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[count], 1);
+    scene_free(s);
+}
+
 int main(void)
 {
+    static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
+    for (int k = 0; k < 360; k++) fires_where_a_phase_ends(routes[k % 3], k / 3 % 2, k / 6 % 3);
     for (int i = 0; i < 100; i++) slips_for_an_instant(i % 2 ? PM_ROUTE_RK : PM_ROUTE_AUTO);
     parts_from_too_deep(PM_ROUTE_RK);
     parts_from_too_deep(PM_ROUTE_IDA);
