@@ -128,13 +128,13 @@ typedef struct crank {
     double time, omega, end;
 } crank;
 
-typedef struct lengths {
+typedef struct mechanism {
     double rod, mu, mass, omega, block, top; /* m, -, kg of crank and rod, rad/s, kg, rad */
     double behind;                           /* rad beyond its dead centre it is looked at */
-} lengths;
+} mechanism;
 
 /* Crank 0.1 m; the block is on the guide by a joint that rubs by its load, or by a contact. */
-static crank slider_crank(const lengths *of, int as_contact, int route)
+static crank slider_crank(const mechanism *of, int as_contact, int route)
 {
     const double r = 0.1, l = of->rod, mu = of->mu, mass = of->mass, top = of->top,
                  tilt = -asin(r * sin(top) / l);
@@ -171,7 +171,7 @@ static crank slider_crank(const lengths *of, int as_contact, int route)
 static void passes_its_dead_centre(int route)
 {
     const double close = route == PM_ROUTE_IDA ? 1e-5 : 1e-8;
-    const lengths of = {0.3, 0.1, 0.1, 5, 5, 1.0471975511965976, 1.7e-6};
+    const mechanism of = {0.3, 0.1, 0.1, 5, 5, 1.0471975511965976, 1.7e-6};
     const crank joint = slider_crank(&of, 0, route), contact = slider_crank(&of, 1, route);
     NEAR(joint.time, 0.481153, 1e-6);
     NEAR(joint.omega, 14.41, 5e-3);
@@ -184,7 +184,7 @@ static void passes_its_dead_centre(int route)
 /* Looked at in its dead centre, where the joints give a slip that nothing holds, or begun there. */
 static void is_at_its_dead_centre(int route)
 {
-    const lengths of[] = {
+    const mechanism of[] = {
         {0.4127998423162591, 0.051868655505172175, 0.062263092401780108, 14.622620606071262,
          4.6827346831068963, 0.54571685791195768, 0},
         {0.41062440712282638, 0.095305510987654912, 0.0256874300171471, 10.564069709828811,

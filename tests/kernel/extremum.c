@@ -1,7 +1,6 @@
 /* Extremes of expressions inside a step, in closed form: of u = angle - c of a wheel that turns evenly, for many places c
  * between the nodes of a step. */
-#include "check.h"
-#include "scene.h"
+#include "wheel.h"
 
 #define PLACES 20
 #define END 3.0 /* rad */
@@ -12,26 +11,7 @@ static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA, PM_ROUTE_
 #define PARTED 6
 static const double parted[PARTED] = {1e-5, 1e-4, 1e-3, 1e-2, 0.03, 0.1};
 
-typedef struct wheel {
-    scene *s;
-    int turned, c; /* measure, value */
-} wheel;
-
-static wheel turning_to(int route, double end)
-{
-    wheel x = {.s = scene_create()};
-    scene *s = x.s;
-    const int body = scene_body(s, 2, 0.3, 0, 0, 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, body, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_start_omega(s, body, 1);
-    x.turned = scene_measure(s, PM_MEASURE_TURNED, body);
-    x.c = scene_parameter(s);
-    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, x.turned, end)), 1);
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    return x;
-}
-
-static wheel turning(int route) { return turning_to(route, END); }
+static wheel turning(int route) { return wheel_turning(route, END); }
 
 #define U scene_m(x.turned), scene_v(x.c), scene_op(PM_OP_SUB)
 #define K(number) scene_k(x.s, number)
@@ -43,17 +23,6 @@ static wheel turning(int route) { return turning_to(route, END); }
 #define MAX scene_op(PM_OP_MAX)
 #define ABS scene_op(PM_OP_ABS)
 
-/* The one extreme that is asked for, for each c from `from` to `to`, and how far it may be off. */
-static void expect_extreme(wheel x, double from, double to, double value, double bound)
-{
-    for (int i = 0; i < PLACES; i++) {
-        const double c = from + (to - from) * (i + 0.37) / PLACES;
-        EQUAL(scene_run(x.s, &c), PM_OK);
-        NEAR(x.s->out[0], value, bound);
-    }
-    scene_free(x.s);
-}
-
 /* max(1 - u^2, 0.9 + u / 20): the top of the first, and beside it the second, which is greater at the next node. */
 static void top_beside_corner(int route)
 {
@@ -61,7 +30,7 @@ static void top_beside_corner(int route)
     scene_ask_extreme(
         x.s, PM_ASK_MAX,
         SCENE_PROGRAM(x.s, K(1), U, SQUARE, SUB, U, K(20), scene_op(PM_OP_DIV), K(0.9), ADD, MAX), PM_NONE);
-    expect_extreme(x, 2, 2.6, 1, 1e-11);
+    wheel_expect(x, PLACES, 2, 2.6, 1, 1e-11);
 }
 
 /* min(1 + u, (1 - u)^2): the corner at u = 0. */
@@ -69,7 +38,7 @@ static void top_at_corner(int route)
 {
     wheel x = turning(route);
     scene_ask_extreme(x.s, PM_ASK_MAX, SCENE_PROGRAM(x.s, K(1), U, ADD, K(1), U, SUB, SQUARE, MIN), PM_NONE);
-    expect_extreme(x, 1.2, 2.5, 1, 1e-11);
+    wheel_expect(x, PLACES, 1.2, 2.5, 1, 1e-11);
 }
 
 /* min(1 - u^2, 0.95 - u): the corner before the top of the first, at which the second is taken. */
@@ -79,7 +48,7 @@ static void top_beyond_corner(int route)
     scene_ask_extreme(x.s, PM_ASK_MAX, SCENE_PROGRAM(x.s, K(1), U, SQUARE, SUB, K(0.95), U, SUB, MIN),
                       PM_NONE);
     const double u = 0.5 * (1 - sqrt(1.2));
-    expect_extreme(x, 0.5, 2.5, 1 - u * u, 1e-11);
+    wheel_expect(x, PLACES, 0.5, 2.5, 1 - u * u, 1e-11);
 }
 
 /* |u| (1 + u^2) + 0.1: the corner at u = 0. */
@@ -88,7 +57,7 @@ static void bottom_at_corner(int route)
     wheel x = turning(route);
     scene_ask_extreme(x.s, PM_ASK_MIN, SCENE_PROGRAM(x.s, U, ABS, U, SQUARE, K(1), ADD, MUL, K(0.1), ADD),
                       PM_NONE);
-    expect_extreme(x, 0.3, 2.7, 0.1, 1e-11);
+    wheel_expect(x, PLACES, 0.3, 2.7, 0.1, 1e-11);
 }
 
 /* 1 + u as long as u < 0, then -u: the end of the first. */
@@ -99,7 +68,7 @@ static void top_at_jump(int route)
                       SCENE_PROGRAM(x.s, U, K(0), scene_op(PM_OP_LT), K(1), U, ADD, U, scene_op(PM_OP_NEG),
                                     scene_op(PM_OP_SELECT)),
                       PM_NONE);
-    expect_extreme(x, 0.3, 2.7, 1, 1e-11);
+    wheel_expect(x, PLACES, 0.3, 2.7, 1, 1e-11);
 }
 
 /* min(1.5 + 10 u, 1 - 4 u^2, 1.5 - 10 u): between two corners that may both be between the same nodes. */
@@ -110,7 +79,7 @@ static void top_between_corners(int route)
                       SCENE_PROGRAM(x.s, K(1.5), U, K(10), MUL, ADD, K(1), U, SQUARE, K(4), MUL, SUB, MIN,
                                     K(1.5), U, K(10), MUL, SUB, MIN),
                       PM_NONE);
-    expect_extreme(x, 0.5, 2.5, 1, 1e-11);
+    wheel_expect(x, PLACES, 0.5, 2.5, 1, 1e-11);
 }
 
 /* Where |sin 3 u| / (1.2 + u) is greatest, in its first wave before u = 0 (the second is lower). */
@@ -122,7 +91,7 @@ static void place_beside_corner(int route)
         SCENE_PROGRAM(x.s, U, K(3), MUL, scene_op(PM_OP_SIN), ABS, U, K(4), ADD, scene_op(PM_OP_DIV)));
     double u = -0.5; /* tan 3 u = 3 (u + 4) */
     for (int i = 0; i < 100; i++) u = (atan(3 * (u + 4)) - M_PI) / 3;
-    expect_extreme(x, 1.05, 1.25, u, 1e-6);
+    wheel_expect(x, PLACES, 1.05, 1.25, u, 1e-6);
 }
 
 /* A rod falls round its end from the angle b of its free end above the level: that moves down fastest at the angle a from the
@@ -155,18 +124,18 @@ static void flat_top(int route, double e)
     wheel x = turning(route);
     scene_ask_extreme(x.s, PM_ASK_MAX, SCENE_PROGRAM(x.s, U, SQUARE, K(e), SUB, scene_op(PM_OP_COS)),
                       PM_NONE);
-    expect_extreme(x, 1, 2, 1, 1e-11);
+    wheel_expect(x, PLACES, 1, 2, 1, 1e-11);
 }
 
 /* cos(a (u^2 - e)) with two tops that have parted by little, and the dip between them about where the run begins or ends: one
  * top is left. */
 static void parted_tops(int route, double a, double e, double middle, double end)
 {
-    wheel x = turning_to(route, end);
+    wheel x = wheel_turning(route, end);
     const double near = 0.95 * sqrt(e);
     scene_ask_extreme(x.s, PM_ASK_MAX,
                       SCENE_PROGRAM(x.s, U, SQUARE, K(e), SUB, K(a), MUL, scene_op(PM_OP_COS)), PM_NONE);
-    expect_extreme(x, middle - near, middle + near, 1, 1e-11);
+    wheel_expect(x, PLACES, middle - near, middle + near, 1, 1e-11);
 }
 
 /* max(1 - sqrt(u^2 + e^2), -9): narrow beside the way, most of them beside a part of it by halves, where a window ends: each half
@@ -178,7 +147,7 @@ static void narrow_top(int route, double e, int halvings)
         x.s, PM_ASK_MAX,
         SCENE_PROGRAM(x.s, K(1), U, SQUARE, K(e * e), ADD, scene_op(PM_OP_SQRT), SUB, K(-9), MAX), PM_NONE);
     const double middle = END / (1 << halvings);
-    expect_extreme(x, middle - 2 * e, middle + 2 * e, 1 - e, 1e-11);
+    wheel_expect(x, PLACES, middle - 2 * e, middle + 2 * e, 1 - e, 1e-11);
 }
 
 /* max(exp(-(u / e)^2), 0.9 - u / 100): no node or one by chance stands in its top. */
@@ -189,7 +158,7 @@ static void top_over_floor(int route, double e)
                       SCENE_PROGRAM(x.s, U, K(e), scene_op(PM_OP_DIV), SQUARE, scene_op(PM_OP_NEG),
                                     scene_op(PM_OP_EXP), K(0.95), U, K(100), scene_op(PM_OP_DIV), SUB, MAX),
                       PM_NONE);
-    expect_extreme(x, 0.3, 2.7, 1, 1e-11);
+    wheel_expect(x, PLACES, 0.3, 2.7, 1, 1e-11);
 }
 
 /* 0.0008 exp(-(u / 0.07)^2) - (angle - 1.2)^4 / 27: a low top between nodes, where all the rest is nearly level. */
@@ -234,7 +203,7 @@ static void cubic_top(int route, double e)
         x.s, PM_ASK_MAX,
         SCENE_PROGRAM(x.s, U, K(3), scene_op(PM_OP_POW), K(3), scene_op(PM_OP_DIV), U, K(e), MUL, SUB),
         PM_NONE);
-    expect_extreme(x, END - 1.9 * far, END + 0.9 * far, 2 * e * far / 3, 1e-11);
+    wheel_expect(x, PLACES, END - 1.9 * far, END + 0.9 * far, 2 * e * far / 3, 1e-11);
 }
 
 /* 1 - u^2, but no value where |u| < 0.01, its greatest place included: that answer has none, the run has. */

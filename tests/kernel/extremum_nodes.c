@@ -1,7 +1,6 @@
 /* Extremes of sums and products of no more than two coordinates, which have no law to be bounded by (wave_kinds.h): what the
  * nodes of a step show is all there is.  u is the angle of a wheel that turns evenly, less c, for many c. */
-#include "check.h"
-#include "scene.h"
+#include "wheel.h"
 
 #define PLACES 40
 #define END 2.6 /* rad: u stays within half a turn */
@@ -12,27 +11,6 @@ static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_UNIFORM};
 #define PARTED 5
 static const double parted[PARTED] = {1e-4, 1e-3, 1e-2, 0.03, 0.1};
 
-typedef struct wheel {
-    scene *s;
-    int turned, c, x, y; /* measure; value; measures: the coordinates of a point */
-} wheel;
-
-static wheel turning_to(int route, double end)
-{
-    wheel x = {.s = scene_create()};
-    scene *s = x.s;
-    const int body = scene_body(s, 2, 0.3, 0, 0, 0), point = scene_point(s, body, 1, 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, body, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_start_omega(s, body, 1);
-    x.turned = scene_measure(s, PM_MEASURE_TURNED, body);
-    x.x = scene_part(s, PM_MEASURE_POSITION, point, PM_PART_X);
-    x.y = scene_part(s, PM_MEASURE_POSITION, point, PM_PART_Y);
-    x.c = scene_parameter(s);
-    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, x.turned, end)), 1);
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    return x;
-}
-
 #define K(number) scene_k(w.s, number)
 #define ADD scene_op(PM_OP_ADD)
 #define SUB scene_op(PM_OP_SUB)
@@ -42,49 +20,39 @@ static wheel turning_to(int route, double end)
 #define COSINE scene_m(w.x), PLACE_COS, MUL, scene_m(w.y), PLACE_SIN, MUL, ADD
 #define SINE scene_m(w.y), PLACE_COS, MUL, scene_m(w.x), PLACE_SIN, MUL, SUB
 
-/* The one extreme that is asked for, for each c from `from` to `to`, and how far it may be off. */
-static void expect_extreme(wheel w, double from, double to, double value, double bound)
-{
-    for (int i = 0; i < PLACES; i++) {
-        const double c = from + (to - from) * (i + 0.37) / PLACES;
-        EQUAL(scene_run(w.s, &c), PM_OK);
-        NEAR(w.s->out[0], value, bound);
-    }
-    scene_free(w.s);
-}
-
 /* cos u - cos 2 u / (4 cos q): two tops at u = +-q, which have hardly parted; q = 0: a flat one. */
 static void parted_tops(int route, double q, double from, double to, double end, double accuracy,
                         double bound)
 {
-    wheel w = turning_to(route, end);
+    wheel w = wheel_turning(route, end);
     const double b = 0.25 / cos(q);
     scene_set(w.s, PM_SETTING_ACCURACY, accuracy);
     scene_ask_extreme(w.s, PM_ASK_MAX,
                       SCENE_PROGRAM(w.s, COSINE, COSINE, COSINE, MUL, K(2 * b), MUL, SUB, K(b), ADD),
                       PM_NONE);
-    expect_extreme(w, from, to, 0.5 * cos(q) + b, bound);
+    wheel_expect(w, PLACES, from, to, 0.5 * cos(q) + b, bound);
 }
 
 /* a sin u - sin 2 u / 2, with a = cos 2 q / cos q: a top at u = -q and a dip at q; where the top is, too. */
 static void top_and_dip(int route, double q, double end, int place)
 {
-    wheel w = turning_to(route, end);
+    wheel w = wheel_turning(route, end);
     const double a = cos(2 * q) / cos(q);
     const int program = SCENE_PROGRAM(w.s, SINE, K(a), MUL, SINE, COSINE, MUL, SUB);
     const int u = SCENE_PROGRAM(w.s, scene_m(w.turned), scene_v(w.c), SUB);
     scene_ask_extreme(w.s, place ? PM_ASK_AT_MAX : PM_ASK_MAX, place ? u : program,
                       place ? program : PM_NONE);
-    expect_extreme(w, end - 1.9 * q, end + 0.9 * q, place ? -q : sin(q) * (cos(q) - a), place ? 1e-7 : 1e-11);
+    wheel_expect(w, PLACES, end - 1.9 * q, end + 0.9 * q, place ? -q : sin(q) * (cos(q) - a),
+                 place ? 1e-7 : 1e-11);
 }
 
 /* cos^2 u, which few nodes of long steps do not resolve. */
 static void square(int route, double accuracy, double bound)
 {
-    wheel w = turning_to(route, END);
+    wheel w = wheel_turning(route, END);
     scene_set(w.s, PM_SETTING_ACCURACY, accuracy);
     scene_ask_extreme(w.s, PM_ASK_MAX, SCENE_PROGRAM(w.s, COSINE, COSINE, MUL), PM_NONE);
-    expect_extreme(w, 0.3, 2.3, 1, bound);
+    wheel_expect(w, PLACES, 0.3, 2.3, 1, bound);
 }
 
 static void try_route(int route)

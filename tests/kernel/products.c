@@ -1,8 +1,7 @@
 /* Products of coordinates, which wave along a step though nothing in their programs does: random ones of degree 3 to 8 in the
  * coordinates of a point of a wheel that turns evenly.  What is asked of them is compared with what fine pieces of the way
  * tell. */
-#include "check.h"
-#include "scene.h"
+#include "wheel.h"
 
 #ifndef CASES
 #define CASES 60 /* of each route; of ida, which takes long, a quarter */
@@ -188,19 +187,12 @@ static void ask(scene *s, int asked, int turned, int program)
 /* It is asked alone: what is asked beside it may bring finer samples. */
 static double answer(int route, const product *p, int asked)
 {
-    scene *s = scene_create();
-    const int body = scene_body(s, 2, 0.3, 0, 0, 0);
-    scene_joint(s, PM_JOINT_PIN, scene_point(s, body, 0, 0), scene_point(s, PM_GROUND, 0, 0), 0);
-    scene_start_omega(s, body, 1);
-    const int turned = scene_measure(s, PM_MEASURE_TURNED, body), point = scene_point(s, body, 1, 0);
-    const int measure[2] = {scene_part(s, PM_MEASURE_POSITION, point, PM_PART_X),
-                            scene_part(s, PM_MEASURE_POSITION, point, PM_PART_Y)};
-    ask(s, asked, turned, program_of(s, p, measure));
-    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, turned, END)), 1);
-    *scene_setting(s, PM_SETTING_ROUTE) = route;
-    EQUAL(scene_run(s, NULL), PM_OK);
-    const double out = s->out[0];
-    scene_free(s);
+    const wheel x = wheel_turning(route, END);
+    const double nothing = 0;
+    ask(x.s, asked, x.turned, program_of(x.s, p, (const int[2]){x.x, x.y}));
+    EQUAL(scene_run(x.s, &nothing), PM_OK);
+    const double out = x.s->out[0];
+    scene_free(x.s);
     return out;
 }
 
