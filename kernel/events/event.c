@@ -92,7 +92,7 @@ static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int
     f->slack = slack;
     f->owned = phase->route->locates_contacts && kind != FUNCTION_TRIGGER;
     f->natural = natural;
-    f->near = INFINITY;
+    f->near = f->rested = INFINITY;
     f->pattern = f->edge = PM_NONE;
     if (f->owned) return;
     e->nsampled++;

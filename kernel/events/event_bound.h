@@ -1,12 +1,11 @@
-/* event_bound.h - whether what a trigger watches goes through zero and back between two samples. */
+/* event_bound.h - where a function first goes through zero between two samples, by bounds. */
 #ifndef PM_EVENT_BOUND_H
 #define PM_EVENT_BOUND_H
 
-#include "state/workspace.h"
+#include "events/event_parts.h"
 
-/* The first place (0 to 1 of the step) that is met in [from, to] where the program times `sign` is below -nothing, by its law;
- * NaN: there is none, or the law is not known. */
-double pm_event_bound_beyond(const pm_workspace *w, int program, double sign, double nothing, double from,
-                             double to);
+/* The first zero of function i, of those that count, in the part x of the step: x narrows to a bracket of that zero alone.  0: there
+ * is none, or nothing is known of the function that bounds it.  of: its samples; x->a, x->b are beyond zero. */
+int pm_event_bound_first(pm_workspace *w, int i, const pm_event_course *of, pm_span *x);
 
 #endif

@@ -28,17 +28,18 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-/* ---- which way ---- */
-/* It goes through zero from a to b, the way that counts. */
-static int crosses(const pm_event_function *f, double a, double b)
+/* ---- by bounds ---- */
+/* Between five nodes or more, whose samples tell the bends (PM_WAVES_CALM times their range), no dip is deeper. */
+static int may_reach(const pm_event_course *of, const pm_span *x)
 {
-    return (f->direction <= 0 && a > 0 && b <= 0) || (f->direction >= 0 && a < 0 && b >= 0);
+    return of->n < PM_NODES || fmin(fabs(x->ga), fabs(x->gb)) < PM_DIP_FAR * (of->high - of->low);
 }
 
-/* It goes through zero from the side s the way that counts; else it may come back that way. */
-static int may_cross(const pm_event_function *f, double s)
+/* The first zero within x: by bounds, where there are any, else if the values at its ends show one. */
+static int first_within(pm_workspace *w, int i, const pm_event_course *of, pm_span *x)
 {
-    return !(f->direction > 0 && s > 0) && !(f->direction < 0 && s < 0);
+    const int shown = pm_event_way_crosses(&w->event->function[i], x->ga, x->gb);
+    return ((shown || may_reach(of, x)) && pm_event_bound_first(w, i, of, x)) || shown;
 }
 
 /* ---- dips ---- */
@@ -138,12 +139,12 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
 
-/* All samples are on one side, so far from zero that no parabola of three nodes (of which one interval is at most three times
- * the other) comes near to it. */
+/* All samples, five or more, are on one side, so far from zero that no parabola of three nodes (of which one interval is at most
+ * three times the other) comes near to it. */
 static int stays_away(const pm_event_course *x)
 {
     const double least = x->low > 0 ? x->low : -x->high;
-    return least > PM_DIP_FAR * x->biggest;
+    return x->n >= PM_NODES && least > PM_DIP_FAR * x->biggest;
 }
 
 /* A dip between node k and the next shows at one of them, unless the function is not smooth: it is lower there than beside
@@ -252,10 +253,10 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
         if (!(fabs(g) > noise)) continue;
-        const int now =
-            (isfinite(f->rested) && g * f->direction > 0) || (since_began && crosses(f, f->left, g));
+        const int now = (isfinite(f->rested) && g * f->direction > 0) ||
+                        (since_began && pm_event_way_crosses(f, f->left, g));
         *x = now ? (pm_span){a, a, 0, 0} : (pm_span){place, b, g, gb};
-        return now || crosses(f, g, gb);
+        return now || first_within(w, i, of, x);
     }
     return 0;
 }
@@ -305,26 +306,6 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
     return 1;
 }
 
-/* Between three nodes or more, whose samples tell the bends (PM_WAVES_CALM times their range), no dip is deeper. */
-static int may_reach(const pm_event_course *of, int k)
-{
-    return fmin(fabs(of->g[k]), fabs(of->g[k + 1])) < PM_DIP_FAR * (of->high - of->low);
-}
-
-/* A trigger between node k and the next, by bounds: it is beyond zero at *where. */
-static int is_bounded_beyond(pm_workspace *w, pm_event_function *f, const pm_event_course *of, int k,
-                             double *where, double *value)
-{
-    const double *at = w->step.nodes->at, sign = of->g[k] > 0 ? 1 : -1;
-    if (f->kind != FUNCTION_TRIGGER || f->every || !may_reach(of, k)) return 0;
-    const double s = pm_event_bound_beyond(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], sign,
-                                           w->numbers.tolerance * of->biggest, at[k], at[k + 1]);
-    if (isnan(s)) return 0;
-    *where = w->step.begin + s * (w->step.sampled_end - w->step.begin);
-    *value = pm_event_samples_along(w, *where, f);
-    return sign * *value < 0;
-}
-
 /* Node k and the next are on one side of zero: a place beyond it, *where, and the node behind that; 0: there is none. */
 static int through_and_back(pm_workspace *w, int i, const pm_event_course *of, int k, double *where,
                             double *value)
@@ -337,29 +318,35 @@ static int through_and_back(pm_workspace *w, int i, const pm_event_course *of, i
         if (near && returns(w, f, g, k, place, where, value)) return k + 1;
         if (k + 2 < of->n && dips(w, f, g + k, of->biggest, place, where, value)) return k + 2;
     }
-    return is_bounded_beyond(w, f, of, k, where, value) ? k + 1 : 0;
+    return 0;
+}
+
+/* The first bracket between node k and the next. */
+static int search_between(pm_workspace *w, int i, const pm_event_course *of, int k, pm_span *x)
+{
+    const double *place = w->event->place, *g = of->g;
+    pm_event_function *f = &w->event->function[i];
+    double where, value;
+    *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
+    if (first_within(w, i, of, x)) return 1;
+    const int after = g[k] * g[k + 1] > 0 ? through_and_back(w, i, of, k, &where, &value) : 0;
+    if (!after) return 0;
+    *x = (pm_span){place[k], place[after], g[k], g[after]};
+    if (pm_event_bound_first(w, i, of, x)) return 1;
+    *x = pm_event_way_may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
+                                         : (pm_span){where, place[after], value, g[after]};
+    return 1;
 }
 
 /* The first bracket between two nodes, from node `first` on. */
 static int search(pm_workspace *w, int i, const pm_event_course *of, int first, double from, pm_span *x)
 {
-    const double *place = w->event->place, *g = of->g;
-    pm_event_function *f = &w->event->function[i];
+    const pm_event_function *f = &w->event->function[i];
     for (int k = first; k + 1 < of->n; k++) {
-        if (f->edge != PM_NONE && g[k] > 0 && pm_edge_passage_between(w, i, k, pm_event_samples_along, x) &&
-            x->b > from)
+        if (f->edge != PM_NONE && of->g[k] > 0 &&
+            pm_edge_passage_between(w, i, k, pm_event_samples_along, x) && x->b > from)
             return 1;
-        if (crosses(f, g[k], g[k + 1])) {
-            *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
-            return 1;
-        }
-        if (!(g[k] * g[k + 1] > 0)) continue;
-        double where, value;
-        const int after = through_and_back(w, i, of, k, &where, &value);
-        if (!after) continue;
-        *x = may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
-                                : (pm_span){where, place[after], value, g[after]};
-        if (x->b > from) return 1;
+        if (search_between(w, i, of, k, x) && x->b > from) return 1;
     }
     return 0;
 }

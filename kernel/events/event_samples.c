@@ -173,6 +173,14 @@ static int are_resolved(const pm_workspace *w, int functions, int watched)
     return 1;
 }
 
+/* Two points may be nearest more than once between few nodes. */
+static int may_meet(const pm_event_set *e)
+{
+    for (int i = e->ntrigger; i < e->nfunction; i++)
+        if (e->function[i].kind == FUNCTION_MEETING && pm_event_samples_wanted(e, &e->function[i])) return 1;
+    return 0;
+}
+
 static int sample_at_nodes(pm_workspace *w, int functions, int watched)
 {
     if (functions) begin_samples(w);
@@ -213,11 +221,12 @@ static int sample_few(pm_workspace *w, int functions, int watched, int waves, in
 {
     const pm_chebyshev_nodes *const few = w->step.nodes;
     const int status = sample_at_nodes(w, functions, watched);
+    const int meets = functions && may_meet(w->event);
     *shown = status || !waves || pm_waves_are_excluded(w, functions, watched);
-    if (*shown) return status;
+    if (*shown && !meets) return status;
     w->step.nodes = &pm_chebyshev_nodes_9;
     const int finer = sample_finer(w, functions, watched, waves, shown);
-    if (finer || !*shown || !is_whole(&w->step) || !pm_waves_are_shown_by_few(w, functions, watched))
+    if (finer || meets || !*shown || !is_whole(&w->step) || !pm_waves_are_shown_by_few(w, functions, watched))
         return finer;
     w->step.nodes = few;
     return sample_at_nodes(w, functions, watched);

@@ -10,6 +10,8 @@
 
 #include "elements/capture.h"
 #include "events/event_parts.h"
+#include "events/step.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -39,6 +41,13 @@ static int was_shortest_before(pm_workspace *w, int i)
     return 1;
 }
 
+static void hold(pm_event_function *f, double since)
+{
+    f->held = 1;
+    f->since = since;
+    f->search = SEARCH_NONE;
+}
+
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
  * was found from an earlier place on still holds, as long as the function has not fired. */
 static int first_of(pm_workspace *w, int i, double from, double not_after, pm_span *x, double *place)
@@ -58,9 +67,7 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_sp
         if (!goes_by(w, i, f->found)) break;
         if (was_shortest_before(w, i)) continue;
         if (f->found <= from) return PM_OK; /* that place again */
-        f->held = 1;                        /* as what has fired: it must be left first */
-        f->since = from = f->found;
-        f->search = SEARCH_NONE;
+        hold(f, from = f->found);           /* as what has fired: it must be left first */
     }
     *place = f->found;
     return PM_OK;
@@ -102,14 +109,37 @@ static void note_spent(pm_event_set *e, const pm_step *step, int earliest, doubl
     if (f->kind == FUNCTION_GAP && f->held && first <= step->begin) e->spent[f->index] = 1;
 }
 
+static int fires_alone(const pm_event_set *e, int i)
+{
+    for (int k = 0; k < e->nfunction; k++)
+        if (e->hit[k] && k != i) return 0;
+    return 1;
+}
+
+/* On exact states two points do not meet that did so on the dense output, but for its error: they go by. */
+static int misses(pm_workspace *w, int i, double place, int *status)
+{
+    const pm_event_function *f = &w->event->function[i];
+    *status = PM_OK;
+    if (f->kind != FUNCTION_MEETING || place >= w->step.end || !fires_alone(w->event, i)) return 0;
+    *status = pm_step_look_exactly(w, place, f->level);
+    return !*status &&
+           !pm_capture_meets(&w->numbers, &w->evidence, f->index, pm_capture_distance(&w->frame, f->index));
+}
+
 int pm_event_search_first(pm_workspace *w, double from, double *first, double *taken)
 {
-    int earliest;
+    pm_event_set *e = w->event;
+    int earliest, status;
     pm_span x;
-    int status = find_earliest(w, from, &earliest, first, &x);
-    if (status || earliest == PM_NONE || *first <= w->step.begin) return status;
-    status = pm_event_locate_settle(w, earliest, &x, first, taken);
-    note_spent(w->event, &w->step, earliest, *first);
+    for (;;) {
+        status = find_earliest(w, from, &earliest, first, &x);
+        if (status || earliest == PM_NONE || *first <= w->step.begin) return status;
+        status = pm_event_locate_settle(w, earliest, &x, first, taken);
+        if (status || !misses(w, earliest, *first, &status)) break;
+        hold(&e->function[earliest], pm_max(*first, e->function[earliest].located));
+    }
+    note_spent(e, &w->step, earliest, *first);
     return status;
 }
 

@@ -105,7 +105,7 @@ pm_enclosure pm_enclosure_of_time(const pm_model *m, int index, const double *pa
     return e;
 }
 
-static pm_jet series_jet(const pm_chebyshev_series *series, double from, double to)
+pm_jet pm_enclosure_of_series(const pm_chebyshev_series *series, double from, double to)
 {
     const pm_chebyshev_part x = pm_chebyshev_series_over(series, from, to);
     return (pm_jet){{x.at[0], x.at[1], x.at[2]}, x.value, x.rate, x.bend, 0, 0};
@@ -139,7 +139,7 @@ static pm_enclosure enclose(const pm_model *m, int index, const double *number,
         switch (s->kind) {
         case STEP_NUMBER: stack[++top] = number_jet(number[s->arg]); continue;
         case STEP_MEASURE:
-            stack[++top] = series_jet(along->series + along->place[s->arg], from, to);
+            stack[++top] = pm_enclosure_of_series(along->series + along->place[s->arg], from, to);
             continue;
         case STEP_ANSWER: stack[++top] = motion_jet(); continue;
         case STEP_WITH_NUMBER: stack[top + 1] = number_jet(number[s->arg]); break;

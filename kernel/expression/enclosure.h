@@ -50,6 +50,9 @@ pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *numb
 pm_jet pm_enclosure_at(const pm_model *m, int index, const double *number, const pm_measure_series *along,
                        const signed char *sign, double s);
 
+/* A measure over a part of a step, by the series through its samples. */
+pm_jet pm_enclosure_of_series(const pm_chebyshev_series *series, double from, double to);
+
 /* The bends of a program at the samples of a stretch, widened by what changes nothing and by how far samples tell more than
  * themselves: they do not show a bend in between that lies outside. */
 pm_interval pm_enclosure_sampled_bends(pm_interval at_samples, double nothing);

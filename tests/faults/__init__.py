@@ -14,6 +14,7 @@ from tests.faults import (
     equations_solved,
     events,
     events_asked,
+    events_bracketed,
     expression,
     impact_blows,
     impact_courses,
@@ -46,7 +47,7 @@ BY_ROOM: dict[str, list[Fault]] = {
     "scene": scene.FAULTS,
     "equations": equations_active.FAULTS + equations_solved.FAULTS,
     "tree": tree.FAULTS,
-    "events": events.FAULTS + events_asked.FAULTS,
+    "events": events.FAULTS + events_bracketed.FAULTS + events_asked.FAULTS,
     "impact": impact_blows.FAULTS
     + impact_courses.FAULTS
     + impact_instants.FAULTS

@@ -16,22 +16,10 @@ FAULTS = [
         "",
     ),
     Fault(
-        "gap: the bottom of what grazes is told by a polynomial",
-        "events/event_bracket.c",
-        "return f->kind == FUNCTION_GAP && !pm_event_samples_resolve(",
-        "return 0 && !pm_event_samples_resolve(",
-    ),
-    Fault(
         "teeth: their flanks change at no event",
         "events/event.c",
         "if (w->model->nteeth > 0) add_teeth(w, force);",
         "",
-    ),
-    Fault(
-        "a passage near the end of an edge is not looked for",
-        "events/event_bracket.c",
-        "if (f->edge != PM_NONE && g[k] > 0",
-        "if (0 && g[k] > 0",
     ),
     Fault(
         "passage: an edge is not as wide as a mark's way bends",
@@ -95,68 +83,6 @@ FAULTS = [
         "if (0) add(&w->phase, w->event, FUNCTION_SLIP, i",
     ),
     Fault(
-        "crossing: what is near is far",
-        "events/event_bracket.c",
-        "return least > PM_DIP_FAR * x->biggest;",
-        "return least > 0;",
-    ),
-    Fault("margin: near misses", "events/event_bracket.c", "if (least > 0 && least < f->near &&", "if (0 &&"),
-    Fault("missed root: two in one step", "events/event_bracket.c", "return least <= 0", "return 0"),
-    Fault(
-        "missed root: a dip beside the end of a step",
-        "events/event_bracket.c",
-        "if (near && returns(w,",
-        "if (0 && returns(w,",
-    ),
-    Fault(
-        "missed root: dips do not show at nodes",
-        "events/event_bracket.c",
-        "return b < a ? k + 2",
-        "if (b >= 0) return 0; return b < a ? k + 2",
-    ),
-    Fault(
-        "missed root: a step ends before it, the next begins behind it",
-        "events/event_bracket.c",
-        "if (!f->held && apart && k < of->n)",
-        "if (0 && apart && k < of->n)",
-    ),
-    Fault(
-        "missed root: a phase ends on it, the next leaves it on the other side",
-        "events/event_bracket.c",
-        "|| (since_began && crosses(f, f->left, g))",
-        "",
-    ),
-    Fault(
-        "missed root: leaves its zero on the other side",
-        "events/event_bracket.c",
-        "resolved ? pm_chebyshev_value(",
-        "resolved ? -pm_chebyshev_value(",
-    ),
-    Fault(
-        "missed root: leaves a held zero the wrong way and comes back",
-        "events/event_bracket.c",
-        "!(of->g[k] < 0) && !dips_at_once(w, f, of, k, x) &&",
-        "!(of->g[k] < 0) &&",
-    ),
-    Fault(
-        "a slip that is next to nothing ends where it began, again and again",
-        "events/event_bracket.c",
-        "if (f->kind == FUNCTION_SLIP) leaves_later(w, f, a, end, x);",
-        "",
-    ),
-    Fault(
-        "missed root: comes back to a held zero at once",
-        "events/event_bracket.c",
-        "return now || crosses(f, g, gb)",
-        "return now",
-    ),
-    Fault(
-        "event: the wrong way",
-        "events/event_bracket.c",
-        "f->direction <= 0 && a > 0 && b <= 0",
-        "f->direction >= 0 && a > 0 && b <= 0",
-    ),
-    Fault(
         "crossing: the last step goes the other way",
         "events/event_locate.c",
         "shift = -value / slope, next",
@@ -189,8 +115,8 @@ FAULTS = [
     Fault(
         "capture: who has passed by meets no more in the step",
         "events/event_search.c",
-        "since = from = f->found",
-        "since = from = w->step.end",
+        "hold(f, from = f->found)",
+        "hold(f, from = w->step.end)",
     ),
     Fault(
         "capture: who passes by is stopped",
@@ -288,12 +214,6 @@ FAULTS = [
         "fabs(rate) <= 0 *",
     ),
     Fault(
-        "event: what has rested on zero leaves it unseen",
-        "events/event_bracket.c",
-        "isfinite(f->rested) && g * f->direction > 0",
-        "isfinite(f->rested) && g * f->direction < 0",
-    ),
-    Fault(
         "ties: a blow at the end is none",
         "events/event_evidence.c",
         "if (time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);",
@@ -352,12 +272,6 @@ FAULTS = [
         "events/step_window.c",
         "s->begin = s->end;",
         "s->begin = s->end = s->whole_end;",
-    ),
-    Fault(
-        "dip: coming back does not count",
-        "events/event_bracket.c",
-        "*x = may_cross(f, g[k]) ?",
-        "*x = may_cross(f, g[k]) || 1 ?",
     ),
     Fault(
         "ties: a blow a rounding before the end is none",

@@ -5,6 +5,10 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
+#ifndef THROWS
+#define THROWS 600
+#endif
+
 static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
 
 /* ---- meeting and passing ---- */
@@ -34,11 +38,13 @@ static void passes(double miss, int steep, int route)
     scene_free(s);
 }
 
-/* Thrown all but straight up, past a post's tip on its way up, a ball meets it on its way down, t later. */
-static void meets_on_its_way_down(double vx, double vy, double t, int route)
+/* Thrown all but straight up, past a post's tip on its way up, a ball meets it on its way down, t later; the accuracy lets long
+ * steps hold both. */
+static void meets_on_its_way_down(double vx, double vy, double t, double accuracy, int route)
 {
     scene *s = scene_create();
     *scene_setting(s, PM_SETTING_ROUTE) = route;
+    scene_set(s, PM_SETTING_ACCURACY, accuracy);
     const double g = 9.81;
     const int centre = scene_point(s, scene_body(s, 1, 0, 0, 0, 0), 0, 0);
     const int tip = scene_point(s, PM_GROUND, vx * t, vy * t - 0.5 * g * t * t);
@@ -112,10 +118,13 @@ static void comes_round(double miss, int route)
 
 int main(void)
 {
-    for (int k = 0; k < 30; k++) {
-        const double vx = 0.02 * (k + 1), vy = 1.3 + 0.9 * k, part = 1.2 + 0.02 * k;
-        meets_on_its_way_down(vx, vy, part * vy / 9.81, routes[k % 2]);
-        meets_on_its_way_down(0.1 * vx, vy, part * vy / 9.81, routes[1 - k % 2]);
+    for (int k = 0; k < THROWS; k++) {
+        const double vy = pow(10, check_random(0, 2)), top = vy / 9.81,
+                     t = top * (1 + pow(10, check_random(-2.5, 0)));
+        const double near =
+            pow(10, check_random(-7, -4)) * vy * top / (2 * (t - top)); /* where it goes by, hardly */
+        const double vx = k % 2 ? near : pow(10, check_random(-3, 1));
+        meets_on_its_way_down(vx, vy, t, pow(10, check_random(-11, -4)), routes[k / 2 % 3]);
     }
     for (int i = 0; i < 3; i++) {
         for (int steep = 0; steep < 2; steep++)
