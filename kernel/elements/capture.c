@@ -48,6 +48,13 @@ double pm_capture_approach(const pm_frame *frame, int contact)
     return fabs(approach) > PM_CAPTURE_ACROSS * pm_length(x.d) * pm_length(x.u) ? approach : 0;
 }
 
+double pm_capture_soonest(const pm_frame *frame, const pm_state *state, int contact)
+{
+    int member;
+    const pm_marks x = marks_of(frame, contact);
+    return isinf(pm_contact_gap(frame, state, contact, &member)) ? INFINITY : pm_length(x.d) / pm_length(x.u);
+}
+
 int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int contact, double distance)
 {
     const double room = PM_CAPTURE_MEETS * numbers->size - distance;

@@ -13,6 +13,8 @@ int pm_capture_is_meeting(const pm_model *m, int contact);
  * zero, rising, where they are nearest. */
 double pm_capture_distance(const pm_frame *frame, int contact);
 double pm_capture_approach(const pm_frame *frame, int contact);
+/* s that they need at their relative speed to come together, at the least; INFINITY: they have met. */
+double pm_capture_soonest(const pm_frame *frame, const pm_state *state, int contact);
 /* Points that are so far apart (INFINITY: they do not meet any more) are at one place. */
 int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int contact, double distance);
 

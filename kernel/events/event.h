@@ -126,8 +126,10 @@ typedef struct pm_event_set {
     unsigned char *acted; /* [nevent] its actions are carried out at this instant */
     void *solver;         /* gsl_root_fsolver */
     pm_gap_culling culling; /* contacts out of reach of the step */
-    int first_step;         /* of the phase */
-    int most;               /* size of the function array */
+    double
+        soonest; /* s: two points that may meet need so long by their distance and speed at a node, at the least */
+    int first_step; /* of the phase */
+    int most;       /* size of the function array */
 } pm_event_set;
 
 int pm_event_create(pm_workspace *w);

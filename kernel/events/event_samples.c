@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/capture.h"
 #include "elements/contact.h"
 #include "elements/edge.h"
 #include "events/ask.h"
@@ -38,6 +39,7 @@ static void begin_samples(pm_workspace *w)
         e->function[i].ranged = 0;
     }
     for (int i = 0; i < e->npattern; i++) e->near[i].n = -1;
+    e->soonest = INFINITY;
     pm_gap_culling_step(&w->event->culling, w->model);
 }
 
@@ -60,6 +62,8 @@ static void sample_contacts(pm_workspace *w, int node)
     for (int i = e->ntrigger; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(w->event, f)) continue;
+        if (f->kind == FUNCTION_MEETING)
+            e->soonest = pm_min(pm_capture_soonest(&w->frame, &w->state, f->index), e->soonest);
         pm_event_samples(w->event, i)[node] =
             f->pattern == PM_NONE ? pm_event_sample(w, f) : sample_pattern(w, f, node);
         if (f->edge != PM_NONE)
@@ -173,12 +177,10 @@ static int are_resolved(const pm_workspace *w, int functions, int watched)
     return 1;
 }
 
-/* Two points may be nearest more than once between few nodes. */
-static int may_meet(const pm_event_set *e)
+/* Two points may meet between nodes, and be nearest there more than once: few nodes do not show that. */
+static int may_meet(const pm_step *step, const pm_event_set *e)
 {
-    for (int i = e->ntrigger; i < e->nfunction; i++)
-        if (e->function[i].kind == FUNCTION_MEETING && pm_event_samples_wanted(e, &e->function[i])) return 1;
-    return 0;
+    return e->soonest <= PM_MEETING_SOON * (step->end - step->begin) / (step->nodes->n - 1);
 }
 
 static int sample_at_nodes(pm_workspace *w, int functions, int watched)
@@ -221,7 +223,7 @@ static int sample_few(pm_workspace *w, int functions, int watched, int waves, in
 {
     const pm_chebyshev_nodes *const few = w->step.nodes;
     const int status = sample_at_nodes(w, functions, watched);
-    const int meets = functions && may_meet(w->event);
+    const int meets = functions && may_meet(&w->step, w->event);
     *shown = status || !waves || pm_waves_are_excluded(w, functions, watched);
     if (*shown && !meets) return status;
     w->step.nodes = &pm_chebyshev_nodes_9;

@@ -236,6 +236,7 @@
 #define PM_WINDOW_LEAST 1e-9 /* of a step: what is not shown in a window so short is a corner; larger: waves are missed, less: corners cost more */
 #define PM_TAIL_RESOLVED 1e-6 /* tail of samples that show a function between the nodes; larger: zeros less exact, or missed */
 #define PM_TAIL_RESIDUAL 10.0 /* times the tail: how far a function may be from the polynomial through its samples; larger: more looks */
+#define PM_MEETING_SOON 2.0 /* of the time between two nodes: points that need no longer to come together may do so there; less: they are missed, larger: more nodes */
 #define PM_POINTS_PASS 1e-5 /* of the scene's size: two points farther apart where they are nearest do not meet; larger: they meet in passing */
 #define PM_EXTREMUM_ROUNDING 4e-16 /* of the value's size: what looks scatter by; larger: bounds of extremes wider */
 #define PM_EXTREMUM_NOTHING 1e-15 /* of the value's size: so little more is rounding; larger: extremes less exact */

@@ -61,7 +61,6 @@ int main(void)
     static const int routes[] = {PM_ROUTE_UNIFORM, PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA},
                      kinds[] = {PM_TRIGGER_CROSS, PM_TRIGGER_RISE, PM_TRIGGER_FALL};
     for (size_t r = 0; r < sizeof routes / sizeof *routes; r++)
-        for (int i = 0; i < CASES; i++)
-            try_zeros(routes[r], kinds[i % 3], 3 + i / 3 % 3);
+        for (int i = 0; i < CASES; i++) try_zeros(routes[r], kinds[i % 3], 3 + i / 3 % 3);
     return check_failures();
 }
