@@ -108,7 +108,9 @@ int pm_event_bound_first(pm_workspace *w, int i, const pm_event_course *of, pm_s
     pm_event_function *f = &w->event->function[i];
     const double h = w->step.sampled_end - w->step.begin, from = (x->a - w->step.begin) / h,
                  to = (x->b - w->step.begin) / h, sign = x->ga > 0 ? 1 : -1;
-    pm_bounded known = {.w = w, .budget = PM_BOUND_PARTS};
+    pm_bounded known; /* its series is filled where there is one */
+    known.w = w;
+    known.budget = PM_BOUND_PARTS;
     if (x->ga == 0 || x->gb == 0 || !take(&known, f, of)) return 0;
     double s[2] = {NAN, beyond(&known, sign, from, to)};
     if (isnan(s[1])) return 0;
