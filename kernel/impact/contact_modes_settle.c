@@ -345,7 +345,7 @@ int pm_contact_modes_settle(pm_workspace *w)
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
         const int by_rounding = !status && !w->phase.kinematic && is_solved_by_rounding(w);
-        if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, !by_rounding);
+        if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, 1);
         if (by_rounding) status = pm_contact_modes_accelerate(w);
         if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w))
             status = pm_contact_modes_accelerate(w);
