@@ -323,8 +323,8 @@ static int all_are_free(const pm_workspace *w)
     return 1;
 }
 
-/* Friction makes the system of constraints that depend on each other here alone asymmetric, and rounding may solve it: what its
- * loads are nothing tells. */
+/* Constraints of contacts that depend on each other here alone leave a singular system: with friction of what slides in it, rounding
+ * may solve it, and makes the loads. */
 static int is_solved_by_rounding(const pm_workspace *w)
 {
     const pm_active_set *x = &w->active;

@@ -281,8 +281,8 @@ static void add_loads(pm_contact_problem *x, double unit, int *count)
 
 /* Of motions that differ those with the highest rank count: what sticks by law, then what obeys the laws to rounding.  Next to
  * a place where contacts lock others obey them within the tie, too, but for what the distance from there tells.  Beside a motion
- * that is found by sound equations others are none: their loads are so large because their equations are nearly singular, and on
- * which side of that rounding, or the hair by which bodies lie on each other, has put them. */
+ * of sound equations one of nearly singular equations is none: that they have loads, and of which sign, is a matter of rounding,
+ * or of the hair by which bodies lie on each other. */
 static int rank(const pm_contact_problem *x)
 {
     return 3 * sticks_by_law(x) + is_exact(x) + (is_exact(x) && is_sound(x));

@@ -71,8 +71,8 @@ static scene *in_the_air(const gutter *x, const places *p)
     for (int i = 0; i < 2; i++) {
         const int is_c = i == x->c,
                   corner = scene_point(s, box, 0.5 * x->wide, is_c ? 0.5 * x->high : -0.5 * x->high);
-        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, corner, 0), scene_floor(s, is_c ? x->other : x->one),
-                      0, 0.5, PM_FRICTION_COULOMB, x->mu);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, corner, 0),
+                      scene_floor(s, is_c ? x->other : x->one), 0, 0.5, PM_FRICTION_COULOMB, x->mu);
     }
     scene_until_time(s, 1);
     return s;
@@ -117,7 +117,8 @@ int main(void)
     int held = 0;
     for (int i = 0; i < 2000; i++) {
         held += turns_about_c(0);
-        for (int side = -1; side <= 1; side += 2) held += turns_about_c(side * pow(10, -check_random(9.5, 17)));
+        for (int side = -1; side <= 1; side += 2)
+            held += turns_about_c(side * pow(10, -check_random(9.5, 17)));
     }
     CHECK(held > 1000);
     return check_failures();

@@ -231,8 +231,8 @@ static void next_to_a_lock(pm_contact_problem *p)
  * there would not turn the box about the upper one, but for rounding, which makes it as large as it likes. */
 static void lower_corner_leaves(pm_contact_problem *p, double leaves)
 {
-    const double wide = check_random(0.05, 0.4), high = check_random(0.05, 0.4), one = -check_random(0.8, 1.2),
-                 other = check_random(0.8, 1.2), c = cos(one), s = sin(one);
+    const double wide = check_random(0.05, 0.4), high = check_random(0.05, 0.4),
+                 one = -check_random(0.8, 1.2), other = check_random(0.8, 1.2), c = cos(one), s = sin(one);
     problem x;
     memset(&x, 0, sizeof x);
     x.inverse[0] = x.inverse[1] = 1;
