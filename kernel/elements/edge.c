@@ -87,7 +87,7 @@ double pm_edge_gap_rate(const pm_frame *frame, int contact)
 int pm_edge_is_below(const pm_frame *frame, int contact)
 {
     const pm_edge_place x = pm_edge_beside(frame, contact);
-    return x.height < x.radius - pm_contact_length(frame);
+    return x.height < x.radius - PM_EDGE_SUNK * pm_contact_length(frame);
 }
 
 double pm_edge_gap_from_below(const pm_frame *frame, int contact)
@@ -170,7 +170,7 @@ int pm_edge_touches(const pm_frame *frame, int contact)
     const double beyond = fmax(x.from, x.to), length = pm_contact_length(frame);
     if (goes_over_end(frame, contact, &x)) return 0;
     if (beyond > 0) return hypot(beyond, x.height) - x.radius <= length;
-    return x.height >= -length && x.height - x.radius <= length;
+    return x.height >= -PM_EDGE_SUNK * length && x.height - x.radius <= length;
 }
 
 /* ---- edges that meet ---- */

@@ -319,13 +319,13 @@ void pm_event_hold_on_zero(pm_workspace *w)
     }
 }
 
-/* What parts goes up from where it is, though that be too deep by what touching allows: from below zero a short bounce would
- * not be seen. */
+/* What parts goes up from where it is, though that be too deep by what touching allows, and by where others have come to rest: from
+ * below zero a short bounce would not be seen. */
 static void leave_from(const pm_workspace *w, pm_event_function *f, double value)
 {
     f->slack = PM_GAP_ROUNDING * pm_contact_reach(w);
     if (f->pattern != PM_NONE) return;
-    if (value < -f->slack && value >= -pm_contact_length(&w->frame)) f->sunk = -value;
+    if (value < -f->slack && value >= -PM_EDGE_SUNK * pm_contact_length(&w->frame)) f->sunk = -value;
 }
 
 void pm_event_begin(pm_workspace *w)

@@ -323,6 +323,17 @@ static int all_are_free(const pm_workspace *w)
     return 1;
 }
 
+/* Constraints of contacts that depend on each other here alone leave a singular system: with friction of what slides in it, rounding
+ * may solve it, and makes the loads. */
+static int is_solved_by_rounding(const pm_workspace *w)
+{
+    const pm_active_set *x = &w->active;
+    if (x->clear || !x->asymmetric) return 0;
+    for (int i = 0; i < x->n; i++)
+        if (x->doubtful[i] && x->constraint[i].slot != PM_NONE) return 1;
+    return 0;
+}
+
 int pm_contact_modes_settle(pm_workspace *w)
 {
     const int most = 2 * (w->model->nfriction + w->model->nteeth) + PM_MODES_ROUNDS;
@@ -333,7 +344,9 @@ int pm_contact_modes_settle(pm_workspace *w)
         int status = pm_contact_modes_accelerate(w);
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
-        if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);
+        const int by_rounding = !status && !w->phase.kinematic && is_solved_by_rounding(w);
+        if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, 1);
+        if (by_rounding) status = pm_contact_modes_accelerate(w);
         if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w))
             status = pm_contact_modes_accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;

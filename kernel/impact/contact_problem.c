@@ -280,8 +280,13 @@ static void add_loads(pm_contact_problem *x, double unit, int *count)
 }
 
 /* Of motions that differ those with the highest rank count: what sticks by law, then what obeys the laws to rounding.  Next to
- * a place where contacts lock others obey them within the tie, too, but for what the distance from there tells. */
-static int rank(const pm_contact_problem *x) { return 2 * sticks_by_law(x) + is_exact(x); }
+ * a place where contacts lock others obey them within the tie, too, but for what the distance from there tells.  Beside a motion
+ * of sound equations one of nearly singular equations is none: that they have loads, and of which sign, is a matter of rounding,
+ * or of the hair by which bodies lie on each other. */
+static int rank(const pm_contact_problem *x)
+{
+    return 3 * sticks_by_law(x) + is_exact(x) + (is_exact(x) && is_sound(x));
+}
 
 /* Motions that all are known to the tie alone may be one; those of many contacts are not counted, lest Lemke's method, which finds
  * one, tells otherwise. */

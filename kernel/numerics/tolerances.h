@@ -61,6 +61,7 @@
 #define PM_STEADY_ROUNDING 1e-13 /* of speeds and accelerations in the scene: less is none; larger: slow motions are taken for rest */
 #define PM_BESIDE_TOUCHING 8 /* touching lengths: nearer gaps go with what counts as touching, and two passes are compared by that; larger: errors of gaps may go unseen */
 #define PM_EDGE_BEHIND 1e-6 /* rad: an edge that leans by more lies behind a face; larger: corners of boxes that slide on each other catch */
+#define PM_EDGE_SUNK 8 /* touching lengths: so deep a mark may be sunk where others have come to rest, smaller: it falls through; larger: what comes up from behind touches early */
 #define PM_EDGE_HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched; larger: sooner */
 #define PM_FRICTION_SAME 4e-15 /* of the greatest reaction: a load that changes by less has been found; larger: it is less exact */
 #define PM_FRICTION_ROUNDING 1e-11 /* likewise: a change this small that shrinks no more is rounding; larger: slow convergence ends early */

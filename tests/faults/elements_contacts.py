@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "edge: a mark that is sunk by a hair comes from below",
+        "elements/edge.c",
+        "return x.height < x.radius - PM_EDGE_SUNK * pm_contact_length(frame);",
+        "return x.height < x.radius - pm_contact_length(frame);",
+    ),
+    Fault(
+        "edge: a mark that is sunk by a hair touches nothing",
+        "elements/edge.c",
+        "return x.height >= -PM_EDGE_SUNK * length &&",
+        "return x.height >= -length &&",
+    ),
+    Fault(
         "curves: a foot in the next part is not looked for",
         "elements/curve_feet.c",
         "along(&c->node[i], f->x) >= 0 && along(&c->node[i + 1], f->x) < 0",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "gap: what parts from deeper than touching allows is not met again",
+        "events/event.c",
+        "value >= -PM_EDGE_SUNK * pm_contact_length(&w->frame)",
+        "value >= -pm_contact_length(&w->frame)",
+    ),
+    Fault(
         "event: what begins on its zero is not held there",
         "events/event.c",
         "f->held |= fabs(now) <= f->slack",

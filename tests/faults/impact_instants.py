@@ -16,6 +16,12 @@ FAULTS = [
         "gap <= 10 * PM_NEAR_BESIDE *",
     ),
     Fault(
+        "a foot that has been closed in vain stays closed",
+        "impact/contact_modes_beside.c",
+        "if (share[i] == PM_JOINED) w->state",
+        "if (0) w->state",
+    ),
+    Fault(
         "a foot that parts takes no part in a blow that is not unique without it",
         "impact/impact.c",
         "if (!status && joined > 0) {",

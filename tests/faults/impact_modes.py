@@ -18,8 +18,14 @@ FAULTS = [
     Fault(
         "modes: what is held for an instant alone is kept",
         "impact/contact_modes_settle.c",
-        "if (status == PM_SINGULAR && let_few_go(w)) return settled(w, 1);",
-        "if (0 && let_few_go(w)) return settled(w, 1);",
+        "if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, 1);",
+        "if (by_rounding && let_few_go(w)) return settled(w, 1);",
+    ),
+    Fault(
+        "modes: what rounding solves where contacts are held for an instant is a motion",
+        "impact/contact_modes_settle.c",
+        "if (x->doubtful[i] && x->constraint[i].slot != PM_NONE) return 1;",
+        "if (0) return 1;",
     ),
     Fault(
         "corner on corner: both contacts are held",
@@ -186,8 +192,14 @@ FAULTS = [
     Fault(
         "problem: what nearly obeys goes with what does",
         "impact/contact_problem.c",
-        "return 2 * sticks_by_law(x) + is_exact(x);",
-        "return 2 * sticks_by_law(x);",
+        "return 3 * sticks_by_law(x) + is_exact(x) + (is_exact(x) && is_sound(x));",
+        "return sticks_by_law(x);",
+    ),
+    Fault(
+        "problem: loads that rounding makes of singular equations are another motion",
+        "impact/contact_problem.c",
+        "+ is_exact(x) + (is_exact(x) && is_sound(x));",
+        "+ is_exact(x);",
     ),
     Fault(
         "problem: what hardly slips sticks",

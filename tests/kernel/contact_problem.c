@@ -227,6 +227,41 @@ static void next_to_a_lock(pm_contact_problem *p)
     EQUAL(pm_contact_problem_solve(p), 2);
 }
 
+/* Likewise, but the lower corner slips, the upper one may stick, and the box turns: the lower one leaves its wall by `leaves`.  A load
+ * there would not turn the box about the upper one, but for rounding, which makes it as large as it likes. */
+static void lower_corner_leaves(pm_contact_problem *p, double leaves)
+{
+    const double wide = check_random(0.05, 0.4), high = check_random(0.05, 0.4),
+                 one = -check_random(0.8, 1.2), other = check_random(0.8, 1.2), c = cos(one), s = sin(one);
+    problem x;
+    memset(&x, 0, sizeof x);
+    x.inverse[0] = x.inverse[1] = 1;
+    x.inverse[2] = 12 / (wide * wide + high * high);
+    x.velocity[1] = -9.81;
+    for (int i = 0; i < 2; i++) {
+        const double y = (i - 0.5) * high, r[2] = {0.5 * wide * c - y * s, 0.5 * wide * s + y * c};
+        add_contact(&x, 0, -1, r, r, i ? other : one);
+    }
+    pose(&x, 0.9, 0, p);
+    p->contact[0].bias[0] += leaves;
+    p->contact[0].slips = check_random(-1, 1) > 0 ? 1 : -1;
+}
+
+/* Where the upper one alone pushes, and friction can hold it, that is the only motion: 1 more of *alone; 1 where several are told (the
+ * loads of some are so large for other reasons). */
+static int has_others(pm_contact_problem *p, int *alone)
+{
+    p->counted = 4;
+    p->tried = 7;
+    lower_corner_leaves(p, pow(10, -check_random(4, 7)));
+    const int n = pm_contact_problem_solve(p);
+    if (!(p->load[2] > 0 && p->load[0] == 0 && p->rate[0] < 1e-3 && p->mode[1] == PM_STICK)) return 0;
+    ++*alone;
+    CHECK(p->rate[0] > 0);
+    EQUAL(p->mode[0], PM_OPEN);
+    return n != 1;
+}
+
 /* A body that one foot could hold is pressed on another one, whose normal goes by the first to 1e-4: it stops, with both, or turns
  * about the first.  That it stops is one motion on the edge of two slips, which the equations tell no better than to 1e-12. */
 static void stops_on_the_edge_of_a_slip(pm_contact_problem *p)
@@ -264,6 +299,9 @@ int main(void)
             for (int e = 0; e < 2; e++) laws(&p, family, k == 0 ? 0 : k == 1 ? 0.3 : 1.2, 0.6 * e);
     next_to_a_lock(&p);
     stops_on_the_edge_of_a_slip(&p);
+    int alone = 0, several = 0;
+    for (int i = 0; i < 3000; i++) several += has_others(&p, &alone);
+    CHECK(alone > 500 && several <= alone / 200);
     pm_arena_free(&arena);
     return check_failures();
 }

@@ -176,9 +176,38 @@ static int still_foot_beside(double part)
     return still;
 }
 
+/* Likewise, but B is in the air, and another body stands a hair above a floor: it changes nothing of what is open, and stays off the
+ * floor.  1 where several motions are allowed. */
+static int closed_in_vain(void)
+{
+    const gutter x = {
+        check_random(0.3, 0.5), check_random(0.05, 0.1), -check_random(0.6, 0.9), check_random(0.9, 1.3), 0.5,
+        check_random(0.8, 1.2)};
+    double place[3][2], near = 1e-8;
+    int several = 0;
+    for (int round = 0; round < 2; round++) { /* the first tells what is near */
+        scene *s = in_gutter(&x, check_random(1.1, 5) * near, place);
+        const int other = scene_body(s, 1, 1, 2, HIGHER, 0);
+        scene_contact(s, PM_CONTACT_LINE, scene_circle(s, scene_point(s, other, 0, 0), 0), scene_floor(s, 0),
+                      0, 0.5, PM_FRICTION_COULOMB, 0.5);
+        EQUAL(scene_begin(s), PM_OK);
+        pm_workspace *w = s->w;
+        near = PM_NEAR_BESIDE * w->numbers.size;
+        w->state.q[1] -= HIGHER;
+        w->state.q[4] = check_random(0.1, 0.9) * near;
+        lie_on_two(w);
+        several = round > 0 && pm_contact_modes_settle_beside(w) == PM_NOT_UNIQUE;
+        EQUAL(w->state.slot[3].mode, PM_OPEN);
+        scene_free(s);
+    }
+    return several;
+}
+
 int main(void)
 {
-    int several = 0, held = 0;
+    int several = 0, held = 0, vain = 0;
+    for (int i = 0; i < 1000; i++) vain += closed_in_vain();
+    CHECK(vain > 500);
     for (int i = 0; i < 1000; i++) held += still_foot_beside(check_random(0.1, 0.9));
     CHECK(held > 500);
     for (int i = 0; i < 1000; i++) EQUAL(still_foot_beside(check_random(1.1, 5)), 0);
