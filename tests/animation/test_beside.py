@@ -17,6 +17,7 @@ from planemotion.animation.document import document
 from planemotion.animation.timing import Timing
 from planemotion.animation.video import Film
 from planemotion.base.errors import SceneError, StudyError
+from planemotion.examples import text_of
 from planemotion.pen.page import IMPULSE, RED, TRACE, VELOCITY
 from tests.cli.calls import invoke, write
 from tests.test_history import BALL
@@ -173,6 +174,18 @@ def test_a_view_that_is_much_too_wide_follows_the_body() -> None:
     place = far.beside.place([0, 0, 0], 1.0)
     np.testing.assert_allclose(0.5 * (low + high), place)
     assert (high - low).max() == pytest.approx(2.5 * far.motion.size)
+
+
+def test_in_a_view_that_follows_signs_are_as_large_as_what_is_seen() -> None:
+    """The sign of a force had the size of the whole flight, and the force began there: out of view."""
+    far = planemotion.load_text(text_of("drag")).animate(show="forces")
+    assert far.motion.follows
+    [force] = far.beside.arrows["force"]
+    low, high = far.beside.room_at(1.0)
+    place = np.array(far.beside.place(force.at, 1.0))
+    assert (low < place).all()
+    assert (place < high).all()
+    assert document(far.beside)["near"] < 0.05 * far.motion.view
 
 
 # ---- files ----

@@ -11,6 +11,9 @@ from .carried import Followed
 from .moving import Motion
 from .pack import packed, packed_coarsely
 
+# Names of one kind that are so near at the start, in inches of what is seen then, are written as one.
+_NEAR = 0.04
+
 
 def document(beside: Beside) -> dict[str, Any]:
     """What the player is given, as JSON has it."""
@@ -22,7 +25,8 @@ def document(beside: Beside) -> dict[str, Any]:
         "note": note_of(motion),
         "unit": motion.unit,
         "box": [*map(float, low), *map(float, high)],
-        "inch": sketch.pen.inch,
+        "inch": sketch.page_inch,
+        "near": _NEAR * sketch.pen.inch,
         "t": packed(recorded.time),
         "bodies": [_body(motion, name, sketch.factor) for name in motion.drawing.bodies],
         "signs": beside.signs,

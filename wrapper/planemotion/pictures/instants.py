@@ -16,6 +16,7 @@ from ..engine.outcome import History
 from ..language.dimensions import TIME
 from ..language.units import parse_quantity
 from ..reading.scene import HasData
+from .known import at_row
 from .scene import Pose, Start, drawing_of, start_of
 
 # The rows at the ends of a run.
@@ -44,6 +45,7 @@ def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
         drawing=drawing,
         poses=poses,
         velocities=velocities,
+        known=at_row(recorded, row),
         when=time if _seconds(at) is not None else f"{at.strip()}, {time}",
     )
 
