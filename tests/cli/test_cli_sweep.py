@@ -57,7 +57,11 @@ def test_results_are_not_overwritten_but_resumed(folder: Path) -> None:
     [
         (RELEASED, ["--set", "sweep.L.num=0"], "sweep.L.num = 0"),
         (RELEASED, ["--workers", "0"], "--workers"),
-        (RELEASED.replace("sweep.L", "#"), [], "nothing to sweep"),
+        (
+            RELEASED.replace("sweep.L", "#"),
+            [],
+            'nothing to sweep; write for example sweep.L = { from = 0, to = "1 m", num = 11 }',
+        ),
         (UNKNOWN_KEY, [], "did you mean"),
     ],
 )

@@ -79,7 +79,7 @@ def test_velocities_are_those_of_the_run(at: str | None) -> None:
 
 def test_what_cannot_be_shown_is_told() -> None:
     scene = planemotion.load_text(BODIES)
-    with pytest.raises(StudyError, match=r'show = "speed": of velocities, dimensions any may be shown'):
+    with pytest.raises(StudyError, match=r'show = "speed": unknown word "speed"; there is velo'):
         scene.draw(show="speed")
     with pytest.raises(SceneError, match="give show or as_, not both"):
         scene.draw(show="dimensions", as_="kinetic")

@@ -104,9 +104,8 @@ def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
     if not 1 <= nth <= len(rows):
         happened = sorted({one for event in recorded.events for one in event.split(", ") if one})
         known = ", ".join([*happened, *_ENDS])
-        often = (
-            f"the run has {len(rows)} of these" if rows else f"nothing of that name happens; it has {known}"
-        )
+        none = f"nothing of that name happens in the run; there is {known}"
+        often = f"the run has {len(rows)} of these" if rows else none
         if first == "after" and rest:
             often = just_after(rest)
         raise SceneError(often, path="at", value=at)

@@ -16,6 +16,7 @@ from matplotlib.patches import Arc
 
 from ..base.errors import StudyError
 from ..language.units import factor
+from ..model.words import unknown
 from ..pen.page import SOFT, VELOCITY
 from ..pen.sketch import Sketch
 from ..pen.symbols import Place
@@ -35,7 +36,7 @@ def shown_with(words: Sequence[str]) -> list[Callable[[Start, Sketch], None]]:
     """What draws these words.  Raises StudyError for one that there is not."""
     for word in words:
         if word not in SHOWN:
-            raise StudyError(f'show = "{word}": of {", ".join(SHOWN)} any may be shown')
+            raise StudyError(f'show = "{word}": {unknown(word, SHOWN, "word")}')
     return [draw for word, draw in SHOWN.items() if word in words]
 
 
