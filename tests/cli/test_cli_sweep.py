@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import planemotion
+from planemotion.examples import text_of
 from tests.cli.calls import TORN, UNKNOWN_KEY, command, invoke, left_in, write
 from tests.scenes.pendulum import RELEASED
 from tests.waiting import HANGS, wait_for
@@ -62,6 +63,7 @@ def test_results_are_not_overwritten_but_resumed(folder: Path) -> None:
             [],
             'nothing to sweep; write for example sweep.L = { from = 0, to = "1 m", num = 11 }',
         ),
+        (text_of("pendulum"), [], "write for example sweep.e = { from = 0, to = 1, num = 11 }"),
         (UNKNOWN_KEY, [], "did you mean"),
     ],
 )

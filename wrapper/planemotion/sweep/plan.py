@@ -126,7 +126,7 @@ def _example(data: SceneData) -> str:
     """A grid of a parameter of the scene, as it must be written."""
     name = next(reversed(data.parameters), "d")
     unit = declared_unit(data.parameters.get(name, 0))
-    last = "1" if unit == "1" else f'"1 {unit}"'
+    last = "1" if unit in ("", "1") else f'"1 {unit}"'
     return f"sweep.{name} = {{ from = 0, to = {last}, num = 11 }}"
 
 
