@@ -130,7 +130,7 @@ def test_a_long_title_is_neither_cut_nor_too_small(dots: int, width: float) -> N
     page.head(figure, long, "vertical plane; at the start")
     title, note = figure.texts
     assert title.get_window_extent(canvas.get_renderer()).x1 <= width * dots  # type: ignore[no-untyped-call]
-    assert title.get_fontsize() >= 6.5
+    assert float(title.get_fontsize()) >= 6.5
     assert title.get_text() == long or title.get_text().endswith(" ...")
     assert (width < 6) == title.get_text().endswith(" ...")
     assert note.get_text() == "vertical plane; at the start"
