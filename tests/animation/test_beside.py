@@ -176,6 +176,12 @@ def test_a_view_that_is_much_too_wide_follows_the_body() -> None:
     assert (high - low).max() == pytest.approx(2.5 * far.motion.size)
 
 
+def test_the_rounding_of_a_velocity_is_no_arrow() -> None:
+    """The wheel of a Geneva drive stands still on its pin: 7e-15 m/s had an arrow of an inch."""
+    beside = planemotion.load("studies/geneva_drive.toml").animate(show="velocities").beside
+    assert all(not one.sizes.any() for one in beside.arrows["velocity"])
+
+
 def test_in_a_view_that_follows_signs_are_as_large_as_what_is_seen() -> None:
     """The sign of a force had the size of the whole flight, and the force began there: out of view."""
     far = planemotion.load_text(text_of("drag")).animate(show="forces")

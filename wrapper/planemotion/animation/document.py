@@ -28,7 +28,7 @@ def document(beside: Beside) -> dict[str, Any]:
         "inch": sketch.page_inch,
         "near": _NEAR * sketch.pen.inch,
         "t": packed(recorded.time),
-        "bodies": [_body(motion, name, sketch.factor) for name in motion.drawing.bodies],
+        "bodies": [_body(motion, one, sketch.factor) for one in beside.arrows["velocity"]],
         "signs": beside.signs,
         "followed": _packed_ways(beside.followed),
         "shows": beside.shows.told(),
@@ -49,16 +49,16 @@ def note_of(motion: Motion) -> str:
     return ", ".join([*notes, *([f"ended early: {status}"] if status != "ok" else [])])
 
 
-def _body(motion: Motion, name: str, metre: float) -> dict[str, Any]:
-    columns = motion.recorded.columns
+def _body(motion: Motion, velocity: Arrow, metre: float) -> dict[str, Any]:
+    columns, name = motion.recorded.columns, velocity.name
     turns = f"{name}.angle" in columns
     return {
         "name": name,
         "x": packed_coarsely(columns[f"{name}.x"] / metre),
         "y": packed_coarsely(columns[f"{name}.y"] / metre),
         "angle": packed(columns[f"{name}.angle"]) if turns else None,
-        "vx": packed_coarsely(columns[f"{name}.velocity.x"]),
-        "vy": packed_coarsely(columns[f"{name}.velocity.y"]),
+        "vx": packed_coarsely(velocity.x),
+        "vy": packed_coarsely(velocity.y),
     }
 
 
