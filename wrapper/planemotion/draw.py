@@ -39,7 +39,7 @@ def draw(
     words = listed(show)
     more = shown_with(words)
     if as_ is not None and words:
-        raise SceneError("a figure of the book has its own values: give show or as_, not both", path="show")
+        raise SceneError("a diagram has its own values: give show or as_, not both", path="show")
     if as_ is None and chosen:
         raise SceneError('bodies are chosen of a figure: give as_ too, such as "free-body"', path="bodies")
     require_theme(theme)
