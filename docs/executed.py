@@ -51,6 +51,8 @@ class Shell(Directive):
         words = shlex.split(command)
         program = Path(sys.executable).with_name(words[0])
         environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1"}
+        if words[1] == "new" and not words[2].startswith("-"):  # it does not write over an example
+            (_FOLDER / f"{words[2]}.toml").unlink(missing_ok=True)
         done = subprocess.run(
             [str(program), *words[1:]], cwd=_FOLDER, env=environment, capture_output=True, text=True
         )

@@ -33,6 +33,14 @@ def test_it_copies_the_example_that_is_named(folder: Path) -> None:
     assert (folder / "many.toml").read_text("utf-8") == text_of("sweep")
 
 
+def test_a_name_of_an_example_is_that_example(folder: Path) -> None:
+    """`new sweep` wrote the pendulum, which `sweep` then refused."""
+    assert "planemotion sweep" in invoke("new", folder / "sweep").stdout
+    assert (folder / "sweep.toml").read_text("utf-8") == text_of("sweep")
+    assert invoke("new", folder / "find", "--from", "cord").exit_code == 0
+    assert (folder / "find.toml").read_text("utf-8") == text_of("cord")
+
+
 def test_the_kind_that_an_example_shows_is_a_name_of_it() -> None:
     assert text_of("motor") == text_of("slider_crank")
 

@@ -94,6 +94,8 @@ def test_a_missing_file_and_a_folder_without_scenes(folder: Path) -> None:
     missing = invoke("run", "nothing.toml")
     assert missing.exit_code == 2
     assert "nothing.toml: cannot be read: No such file" in missing.stderr
+    named = write(folder, "a.toml", NOT_REACHED)
+    assert f"; did you mean {named}?" in invoke("run", named.with_suffix("")).stderr
     (folder / "empty").mkdir()
     empty = invoke("run", folder / "empty")
     assert empty.exit_code == 2

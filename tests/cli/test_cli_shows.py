@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
+import click
 import pytest
 
 import planemotion
@@ -139,6 +140,7 @@ def test_every_command_has_a_help() -> None:
         done = invoke(name, "--help")
         assert done.exit_code == 0
         assert found.help
+    assert "..." not in main.get_help(click.Context(main, terminal_width=80)).partition("Commands:")[2]
 
 
 def test_check_verifies_a_result_and_a_folder(folder: Path) -> None:
@@ -195,7 +197,7 @@ def test_a_scene_is_drawn_at_an_instant(folder: Path, at: str, wanted: float | N
     ("at", "reason"),
     [
         ("0.5 s", "the run ends before it, at 0.35 s"),
-        ("strike", "nothing of that name happens; it has low"),
+        ("strike", "nothing of that name happens in the run; there is low"),
         ("low 2", "the run has 1 of these"),
         ("before low 2", "the run has 1 of these"),
         ("after low", 'write "low": that is just after the event, "before low" just before it'),
@@ -242,7 +244,7 @@ def test_a_figure_of_the_book_is_what_its_ending_says(folder: Path, kind: str, e
         (("--as", "kinetic", "--body", "CD"), 'unknown body "CD"; there is AB, ball'),
         (("--as", "energy", "--body", "AB"), "work and energy are those of all bodies together"),
         (("--body", "AB"), "--body goes with --as"),
-        (("--as", "kinetic", "--at", "hit"), "nothing of that name happens; it has "),
+        (("--as", "kinetic", "--at", "hit"), "nothing of that name happens in the run; there is "),
         (("--as", "kinetic", "--out", "a.jpg"), "a.jpg: has the ending .jpg; a picture is written as one of"),
     ],
 )
@@ -259,4 +261,4 @@ def test_an_instant_without_a_blow_has_no_impulses(folder: Path) -> None:
     assert done.exit_code == 2
     assert 'at = "0.05 s": nothing is struck there; blows of the run are at 0 s' in done.stderr
     done = invoke("draw", write(folder, "b.toml", RELEASED), "--as", "impulse-momentum")
-    assert "nothing is struck in the run" in done.stderr
+    assert "b.toml: impulse-momentum: nothing is struck in the run" in done.stderr

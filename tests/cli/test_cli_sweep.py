@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import planemotion
+from planemotion.examples import text_of
 from tests.cli.calls import TORN, UNKNOWN_KEY, command, invoke, left_in, write
 from tests.scenes.pendulum import RELEASED
 from tests.waiting import HANGS, wait_for
@@ -57,7 +58,12 @@ def test_results_are_not_overwritten_but_resumed(folder: Path) -> None:
     [
         (RELEASED, ["--set", "sweep.L.num=0"], "sweep.L.num = 0"),
         (RELEASED, ["--workers", "0"], "--workers"),
-        (RELEASED.replace("sweep.L", "#"), [], "nothing to sweep"),
+        (
+            RELEASED.replace("sweep.L", "#"),
+            [],
+            'nothing to sweep; write for example sweep.L = { from = 0, to = "1 m", num = 11 }',
+        ),
+        (text_of("pendulum"), [], "write for example sweep.e = { from = 0, to = 1, num = 11 }"),
         (UNKNOWN_KEY, [], "did you mean"),
     ],
 )

@@ -11,7 +11,8 @@ import pytest
 
 from planemotion import Scene, SimulationError, load, load_text
 from planemotion.engine.kernel import status_name
-from planemotion.engine.result import RunResult
+from planemotion.engine.result import RunResult, counts_text
+from planemotion.examples import text_of
 from planemotion.run import simulate
 from tests import STUDIES
 from tests.engine.scenes import BROKEN, FAILURES, PENDULUM
@@ -275,3 +276,16 @@ def test_a_scene_says_what_is_in_it() -> None:
     assert page.findtext("b") == "Scene A < B"
     assert [cell.text for cell in page.iter("td")] == ["bodies", "P", "ask", "time, asks, a-b, none"]
     assert repr(Scene.from_table({"bodies": 3})) == "Scene without a title"
+
+
+def test_what_was_counted_is_told_as_people_say_it() -> None:
+    counts = {"phases": 1, "events": 2, "passes": 1, "jumps": 0, "limited_blows": 1, "routes": 3}
+    assert counts_text(counts) == "1 phase, 2 events, 1 pass, 1 limited blow"
+    assert counts_text({"passes": 2, "repeated_segments": 7}) == "2 passes, 7 repeated segments"
+
+
+def test_what_is_asked_reads_as_it_is_written() -> None:
+    """Plots said "rod.omega at before strike"."""
+    scene = load_text(text_of("pendulum"))
+    assert scene.data.ask["omega_before"].text == "rod.omega before strike"
+    assert scene.data.ask["omega_after"].text == "rod.omega at strike"

@@ -91,5 +91,8 @@ def test_wanted_dimension() -> None:
     assert str(caught.value).startswith(
         "a moment of inertia (mass*length^2, such as kg*m^2) is wanted; this is a moment"
     )
-    with pytest.raises(SceneError, match=r"^a length \(such as m\) is wanted; this is a plain number$"):
+    bare = r'^a length \(such as m\) is wanted; this is a plain number; give it a unit: "3 m"$'
+    with pytest.raises(SceneError, match=bare):
         require(parse("3"), dimensions.LENGTH, no_leaf)
+    with pytest.raises(SceneError, match=r"^a length \(such as m\) is wanted; this is a plain number$"):
+        require(parse("3*sin(2)"), dimensions.LENGTH, no_leaf)

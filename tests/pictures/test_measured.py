@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,9 @@ from matplotlib.patches import FancyArrowPatch
 import planemotion
 from planemotion.base.errors import SceneError, StudyError
 from planemotion.pen.page import VELOCITY
+from planemotion.pictures.instants import instant_of
+from planemotion.pictures.measured import shown_with
+from planemotion.pictures.scene import figure as figure_of
 from tests import STUDIES
 from tests.cli.calls import invoke, write
 from tests.pictures.figures import texts
@@ -77,9 +81,27 @@ def test_velocities_are_those_of_the_run(at: str | None) -> None:
     assert len(arrows) == 7 - still, "three velocities, and an arc with its tip for each that turns"
 
 
+def test_what_is_only_rounding_does_not_move() -> None:
+    """The centre of a wheel on a pin had an arrow with 1e-15 m/s beside it."""
+    scene = planemotion.load_text("""
+until = "t = 1 s"
+plane = "horizontal"
+bodies.wheel = { disk = "0.2 m", mass = "1 kg", at = [0, 0] }
+joints.A = { pin = ["wheel", "ground"] }
+start.wheel.omega = "2 rad/s"
+""")
+    start = instant_of(scene, "0.5 s")
+    moved = replace(start, velocities={"wheel": (1e-15, -1e-16, 2.0)})
+    assert "m/s" not in texts(figure_of(moved, shown_with(["velocities"])))
+    moved = replace(start, velocities={"wheel": (1.0, 0.0, 1e-17)})
+    shown = texts(figure_of(moved, shown_with(["velocities"])))
+    assert "1 m/s" in shown
+    assert "rad/s" not in shown
+
+
 def test_what_cannot_be_shown_is_told() -> None:
     scene = planemotion.load_text(BODIES)
-    with pytest.raises(StudyError, match=r'show = "speed": of velocities, dimensions any may be shown'):
+    with pytest.raises(StudyError, match=r'show = "speed": unknown word "speed"; there is velo'):
         scene.draw(show="speed")
     with pytest.raises(SceneError, match="give show or as_, not both"):
         scene.draw(show="dimensions", as_="kinetic")

@@ -118,3 +118,19 @@ def test_numbers_below_a_narrow_picture_keep_apart() -> None:
     assert len(boxes) >= 3
     for one, other in combinations(boxes, 2):
         assert not one.padded(3).overlaps(other)
+
+
+@pytest.mark.parametrize("dots", [100, 160])
+@pytest.mark.parametrize("width", [2.0, 4.2, 6.7, 9.0])
+def test_a_long_title_is_neither_cut_nor_too_small(dots: int, width: float) -> None:
+    """On the 100 dots of an animation it left the paper; on a narrow picture it had letters of 4 points."""
+    figure = Figure(figsize=(width, 3), dpi=dots)
+    canvas = FigureCanvasAgg(figure)
+    long = "A hinged rod that hangs on a torsion spring in the equilibrium of both and is then let go there"
+    page.head(figure, long, "vertical plane; at the start")
+    title, note = figure.texts
+    assert title.get_window_extent(canvas.get_renderer()).x1 <= width * dots  # type: ignore[no-untyped-call]
+    assert float(title.get_fontsize()) >= 6.5
+    assert title.get_text() == long or title.get_text().endswith(" ...")
+    assert (width < 6) == title.get_text().endswith(" ...")
+    assert note.get_text() == "vertical plane; at the start"

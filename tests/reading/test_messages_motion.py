@@ -302,7 +302,7 @@ FAULTS = [
         "an impulse cannot depend on forces and accelerations: they follow from it",
     ),
     ('events.e = { when = "start", nth = 0 }', "events.e.nth = 0: firings are counted from 1"),
-    ('events.e = { when = "start", nth = "2" }', 'events.e.nth = "2": a valid integer is wanted'),
+    ('events.e = { when = "start", nth = "2" }', 'events.e.nth = "2": a whole number is wanted'),
     ("events.e = { do = [] }", "events.e: an event needs a condition: when = ..."),
 ]
 

@@ -63,7 +63,7 @@ def test_of_a_study_and_of_its_result(tmp_path: Path) -> None:
 
 def test_what_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     report = planemotion.load_text(SCENE).report()
-    with pytest.raises(StudyError, match=r"\.pdf; a report is written as one of \.html"):
+    with pytest.raises(StudyError, match=r"\.pdf; a report is written as \.html"):
         report.save(tmp_path / "a.pdf")
     assert not list(tmp_path.iterdir())
     monkeypatch.setattr(needs, "find_spec", lambda name: None)

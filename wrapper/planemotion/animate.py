@@ -14,7 +14,7 @@ from .animation.moving import Motion, record
 from .animation.needs import require
 from .animation.page import page
 from .animation.shows import USUAL, shows_of
-from .base.errors import StudyError
+from .base.errors import SceneError, StudyError
 from .base.files import ANIMATIONS, appearing, ending
 from .engine.kernel import status_name
 from .pictures.scene import title_of
@@ -97,4 +97,7 @@ def animate(
 ) -> Animation:
     """Runs a scene (one of its [runs]; default: the first): see Scene.animate."""
     shows = shows_of(show, trace, theme)
-    return Animation(Beside(record(scene, run), shows))
+    try:
+        return Animation(Beside(record(scene, run), shows))
+    except SceneError as error:
+        raise error.at(file=scene.data.file) from None

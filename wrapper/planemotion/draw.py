@@ -39,15 +39,18 @@ def draw(
     words = listed(show)
     more = shown_with(words)
     if as_ is not None and words:
-        raise SceneError("a figure of the book has its own values: give show or as_, not both", path="show")
+        raise SceneError("a diagram has its own values: give show or as_, not both", path="show")
     if as_ is None and chosen:
         raise SceneError('bodies are chosen of a figure: give as_ too, such as "free-body"', path="bodies")
     require_theme(theme)
     with page.style(theme):
-        if as_ is not None:
-            made = diagrams.figure(scene, as_, at, run, chosen)
-            fault = ""
-        else:
-            start = start_of(scene, run) if at is None else instant_of(scene, at, run)
-            made, fault = figure(start, more), start.fault
+        try:
+            if as_ is not None:
+                made = diagrams.figure(scene, as_, at, run, chosen)
+                fault = ""
+            else:
+                start = start_of(scene, run) if at is None else instant_of(scene, at, run)
+                made, fault = figure(start, more), start.fault
+        except SceneError as error:
+            raise error.at(file=scene.file) from None
         return Picture(on_paper(made, theme), fault, theme)

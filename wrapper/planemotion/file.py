@@ -34,7 +34,9 @@ def load(path: str | os.PathLike[str]) -> Scene:
     except UnicodeDecodeError:
         raise SceneError("the file is not text in UTF-8", file=name) from None
     except OSError as error:
-        raise SceneError(f"cannot be read: {error.strerror or error}", file=name) from None
+        there = Path(f"{name}.toml")
+        hint = f"; did you mean {there}?" if there.is_file() else ""
+        raise SceneError(f"cannot be read: {error.strerror or error}{hint}", file=name) from None
     return load_text(text, file=name)
 
 

@@ -28,6 +28,8 @@ from .timing import Timing
 _ARROW, _MOST = 1.0, 1.7
 # Of the forces of a run, so many are not larger than the arrow of that length shows.
 _USUAL = {"velocity": 1.0, "force": 0.98, "impulse": 1.0}
+# Of the greatest velocity: what is slower stands still.
+_STILL = 1e-9
 # A way has a corner at least where its carrier has turned so far, in rad; at most so many between instants.
 _TURN, _CORNERS = 0.1, 200
 
@@ -155,11 +157,19 @@ def _traced(motion: Motion, shows: Shows) -> list[tuple[str, Anchor]]:
 
 
 def _velocities(motion: Motion) -> Iterator[Arrow]:
-    """Of the mass centres."""
-    columns = motion.recorded.columns
+    """Of the mass centres; none where it is but the rounding of what moves fastest."""
+    arrows = []
+    size, fastest = motion.size * factor(motion.unit)[0], 0.0
     for i, name in enumerate(motion.drawing.bodies):
-        x, y = (np.nan_to_num(columns[f"{name}.velocity.{part}"]) for part in ("x", "y"))
-        yield Arrow(name, [i, 0.0, 0.0], x, y)
+        x, y, omega = (
+            np.nan_to_num(motion.recorded.columns.get(f"{name}.{part}", np.zeros(1)))
+            for part in ("velocity.x", "velocity.y", "omega")
+        )
+        arrows.append(Arrow(name, [i, 0.0, 0.0], x, y))
+        fastest = max(fastest, float(arrows[-1].sizes.max()), size * float(np.abs(omega).max()))
+    for one in arrows:
+        moves = one.sizes > _STILL * fastest
+        yield Arrow(one.name, one.at, one.x * moves, one.y * moves)
 
 
 def _loads(motion: Motion, signs: Sequence[Mapping[str, Any]], word: str) -> Iterator[Arrow]:

@@ -11,6 +11,9 @@ from .carried import Followed
 from .moving import Motion
 from .pack import packed, packed_coarsely
 
+# Names of one kind that are so near at the start, in inches of what is seen then, are written as one.
+_NEAR = 0.04
+
 
 def document(beside: Beside) -> dict[str, Any]:
     """What the player is given, as JSON has it."""
@@ -22,9 +25,10 @@ def document(beside: Beside) -> dict[str, Any]:
         "note": note_of(motion),
         "unit": motion.unit,
         "box": [*map(float, low), *map(float, high)],
-        "inch": sketch.pen.inch,
+        "inch": sketch.page_inch,
+        "near": _NEAR * sketch.pen.inch,
         "t": packed(recorded.time),
-        "bodies": [_body(motion, name, sketch.factor) for name in motion.drawing.bodies],
+        "bodies": [_body(motion, one, sketch.factor) for one in beside.arrows["velocity"]],
         "signs": beside.signs,
         "followed": _packed_ways(beside.followed),
         "shows": beside.shows.told(),
@@ -45,16 +49,16 @@ def note_of(motion: Motion) -> str:
     return ", ".join([*notes, *([f"ended early: {status}"] if status != "ok" else [])])
 
 
-def _body(motion: Motion, name: str, metre: float) -> dict[str, Any]:
-    columns = motion.recorded.columns
+def _body(motion: Motion, velocity: Arrow, metre: float) -> dict[str, Any]:
+    columns, name = motion.recorded.columns, velocity.name
     turns = f"{name}.angle" in columns
     return {
         "name": name,
         "x": packed_coarsely(columns[f"{name}.x"] / metre),
         "y": packed_coarsely(columns[f"{name}.y"] / metre),
         "angle": packed(columns[f"{name}.angle"]) if turns else None,
-        "vx": packed_coarsely(columns[f"{name}.velocity.x"]),
-        "vy": packed_coarsely(columns[f"{name}.velocity.y"]),
+        "vx": packed_coarsely(velocity.x),
+        "vy": packed_coarsely(velocity.y),
     }
 
 

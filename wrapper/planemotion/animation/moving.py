@@ -6,6 +6,7 @@ nothing is off by more than a pixel.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,6 +20,7 @@ from ..engine import call, recording
 from ..engine.outcome import History
 from ..geometry.drawing import Drawing
 from ..language.units import factor
+from ..pictures.known import at_row
 from ..pictures.scene import SceneDrawing, drawing_of, usual_length
 from ..reading.scene import HasData, SceneData
 from .signs import Sign, SignSketch
@@ -81,9 +83,15 @@ class Motion:
             for name, (x, y, turn) in a.items()
         }
 
+    def known_at(self, time: float) -> dict[str, float]:
+        """All that was recorded, between two recorded instants along straight lines."""
+        return {name: self.value_at(values, time) for name, values in self.recorded.columns.items()}
+
     def sketch(self, row: int) -> SignSketch:
         """At a recorded instant; nothing is drawn yet."""
-        return SignSketch(self.drawing, self.poses(row), self.unit, self.room)
+        view = self.view if self.follows else math.inf
+        known = at_row(self.recorded, row)
+        return SignSketch(self.drawing, self.poses(row), self.unit, self.room, view, known)
 
     def signs(self, row: int) -> list[Sign]:
         """The signs of what moves at a recorded instant."""
@@ -91,10 +99,14 @@ class Motion:
         SceneDrawing(self.data, sketch).draw_moving()
         return sketch.signs.signs
 
+    def extent(self, row: int) -> Room:
+        """Lower left and upper right at a recorded instant, in the unit of the picture."""
+        return SignSketch(self.drawing, self.poses(row), self.unit, self.room).extent()
+
     @cached_property
     def size(self) -> float:
         """How large the scene is at its start, in the unit of the picture."""
-        low, high = self.sketch(0).extent()
+        low, high = self.extent(0)
         return float((high - low).max())
 
     @property
@@ -146,7 +158,7 @@ def _room(motion: Motion) -> Room:
     """Lower left and upper right of all that is ever seen, in the unit of the picture."""
     found = []
     for row in motion.rows(_EXTENTS):
-        found.append(motion.sketch(row).extent())
+        found.append(motion.extent(row))
     low = np.min([low for low, _ in found], axis=0)
     high = np.max([high for _, high in found], axis=0)
     for axis, part in enumerate(("x", "y")):  # between those instants bodies go farther
@@ -163,8 +175,6 @@ def _bends(motion: Motion) -> dict[str, float]:
     """What lines may miss of places and angles: a pixel; of energies a part of their range."""
     sketch = motion.sketch(0)
     pixel = sketch.pen.inch / _PIXELS
-    if motion.follows:
-        pixel *= motion.view / float((motion.room[1] - motion.room[0]).max())
     bends = {}
     for name in motion.drawing.bodies:
         bends[f"{name}.x"] = bends[f"{name}.y"] = pixel * sketch.factor

@@ -302,7 +302,7 @@ function unit(a, b) {
 
 /* Names at one place of one carrier become one. */
 function mergedNames(motion, signs) {
-  const look = motion.look(0), near = 0.04 * motion.told.inch, merged = [];
+  const look = motion.look(0), near = motion.told.near, merged = [];
   for (const sign of signs) {
     const place = motion.place(look, sign.at[0]), bold = Boolean(sign.size);
     const same = merged.find((one) => one.bold === bold && one.stroke === sign.stroke && Math.hypot(one.place[0] - place[0], one.place[1] - place[1]) < near);

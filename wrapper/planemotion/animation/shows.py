@@ -9,6 +9,7 @@ from typing import Any
 from ..base.errors import StudyError
 from ..base.themes import require_theme
 from ..base.words import listed
+from ..model.words import unknown
 
 WORDS = ("energies", "velocities", "forces", "slow")
 USUAL = ("energies",)
@@ -38,7 +39,7 @@ def shows_of(show: str | Iterable[str], trace: str | Iterable[str], theme: str |
     words, traces = listed(show), listed(trace)
     for word in words:
         if word not in WORDS:
-            raise StudyError(f'show = "{word}": of {", ".join(WORDS)} any may be shown')
+            raise StudyError(f'show = "{word}": {unknown(word, WORDS, "word")}')
     if theme is not None:
         require_theme(theme)
     return Shows(words, traces, theme)

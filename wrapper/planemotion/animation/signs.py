@@ -21,7 +21,7 @@ from ..base.arrays import Floats
 from ..geometry.drawing import Drawing
 from ..pen.names import Written
 from ..pen.page import BLUE, INK, RED, SOFT
-from ..pen.sketch import Sketch
+from ..pen.sketch import Sketch, inch_of
 from ..pen.symbols import BODY_FILL, PIN, SPRING, TOUCH, Pen, Place
 
 # Colours by what they are for; the player has its own for each, light and dark.
@@ -174,9 +174,13 @@ class Signs(Pen):
 
 
 class SignSketch(Sketch):
-    """A sketch whose pen notes signs; `room` is all that is ever seen."""
+    """A sketch whose pen notes signs; `room` is all that is ever seen, `view` how much of it at once.
+
+    `page_inch`: what would be an inch if all were seen at once; the pen's is that of what is seen.
+    """
 
     signs: Signs
+    page_inch: float
 
     def __init__(
         self,
@@ -184,13 +188,17 @@ class SignSketch(Sketch):
         poses: Mapping[str, tuple[float, float, float]],
         unit: str,
         room: tuple[np.ndarray, np.ndarray],
+        view: float = math.inf,
+        known: Mapping[str, float] | None = None,
     ) -> None:
-        super().__init__(drawing, poses, unit, room)
+        self.view = view
+        super().__init__(drawing, poses, unit, room, known)
 
     def canvas(self) -> tuple[Figure, Pen]:
         """No paper, but its size."""
         figure, axes, canvas = _no_paper()
-        self.signs = Signs(axes, canvas, self.fit()[0])
+        self.page_inch = self.fit()[0]
+        self.signs = Signs(axes, canvas, min(self.page_inch, inch_of(np.full(2, self.view))))
         return figure, self.signs
 
 

@@ -28,7 +28,7 @@ from .document import note_of
 from .drawn import draw_above, draw_below
 from .film import write_gif, write_mp4
 from .margin import Energies, TimeAxis, margins
-from .moving import Room
+from .moving import Motion, Room
 
 _RATE = 20  # frames per second
 _MOST = 480  # frames
@@ -81,9 +81,10 @@ _Key: TypeAlias = tuple[str, str, bool]  # text, colour, bold: what tells a name
 class _SameSketch(Sketch):
     """A sketch of other poses on the same paper."""
 
-    def __init__(self, first: Sketch, poses: dict[str, tuple[float, float, float]]) -> None:
+    def __init__(self, first: Sketch, motion: Motion, time: float) -> None:
         self._first = first
-        super().__init__(first.drawing, poses, first.unit, (first.low, first.high))
+        room = (first.low, first.high)
+        super().__init__(first.drawing, motion.poses_at(time), first.unit, room, motion.known_at(time))
 
     def canvas(self) -> tuple[Figure, Pen]:
         self.low, self.high = self._first.low, self._first.high
@@ -145,7 +146,7 @@ class _Paper:
         axes, figure, beside = self.sketch.pen.axes, self.sketch.figure, self.beside
         before = set(axes.get_children())
         with page.style(self.theme):
-            sketch = _SameSketch(self.sketch, beside.motion.poses_at(time))
+            sketch = _SameSketch(self.sketch, beside.motion, time)
             draw_below(sketch, beside, time)
             SceneDrawing(beside.motion.data, sketch).draw_moving()
             self._write_names(sketch.pen)
@@ -187,7 +188,7 @@ class _Paper:
         """How far each name stands from what it names, at the start; the names are taken off again."""
         axes, motion = self.sketch.pen.axes, self.beside.motion
         before = set(axes.get_children())
-        first = _SameSketch(self.sketch, motion.poses(0))
+        first = _SameSketch(self.sketch, motion, 0.0)
         SceneDrawing(motion.data, first).draw()
         offsets: dict[_Key, Offset] = {}
         for one in first.pen.write_names():

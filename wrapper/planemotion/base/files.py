@@ -30,9 +30,9 @@ def ending(path: Path, known: Collection[str], what: str) -> str:
     found = path.suffix.removeprefix(".").lower()
     if found in known:
         return found
-    choice = ", ".join(f".{word}" for word in known)
+    choice = ("one of " if len(known) > 1 else "") + ", ".join(f".{word}" for word in known)
     has = f"the ending .{found}" if found else "no ending"
-    raise StudyError(f"{path}: has {has}; {what} is written as one of {choice}")
+    raise StudyError(f"{path}: has {has}; {what} is written as {choice}")
 
 
 @contextmanager
@@ -66,7 +66,9 @@ def disk_errors(path: Path) -> Iterator[None]:
                 f"{path}: the disk (or the quota) is full; nothing of this file was kept. "
                 "Make room and go on with --resume"
             ) from error
-        raise StudyError(f"{path}: cannot be written: {error.strerror or error}") from error
+        is_lost = error.errno == errno.ENOENT and not path.parent.is_dir()
+        why = f"there is no folder {path.parent}" if is_lost else error.strerror or error
+        raise StudyError(f"{path}: cannot be written: {why}") from error
 
 
 def sync_folder(folder: Path) -> None:

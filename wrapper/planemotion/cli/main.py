@@ -1,5 +1,5 @@
 """The command line: `planemotion run | sweep | merge | map | check | explain | plot | draw | animate |
-report | schema | new`.
+report | schema | export-fmu | new`.
 
 Exit status: 0 all is well; 1 a run failed or ended early; 2 what was given is wrong (a file, a key, a value,
 an output that cannot be written); 130 stopped by Ctrl-C.  Results go to stdout, all else to stderr.

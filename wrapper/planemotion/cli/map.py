@@ -25,7 +25,9 @@ _PROGRESS_EVERY = 5.0
 )
 @set_option
 def map_(study: Path, out: Path, workers: int | None, values: Mapping[str, str]) -> None:
-    """Find where outcomes change over two parameters; leave HDF5 and PNG in DIR.
+    """Find where outcomes change over two parameters.
+
+    It leaves HDF5 and PNG in DIR.
 
     The grids of [sweep] are where it starts: an island of an outcome that none of their places meets is not
     seen. [sweep] refine says what tells outcomes apart, and how near the boundaries are followed.

@@ -22,16 +22,17 @@ def _show(ctx: click.Context, _option: click.Parameter, asked: bool) -> None:
 
 @click.command()
 @click.argument("name", type=a_path)
-@click.option(
-    "--from", "example", metavar="EXAMPLE", default=FIRST, show_default=True, help="What is copied."
-)
+@click.option("--from", "example", metavar="EXAMPLE", help=f"What is copied (default: NAME, or {FIRST}).")
 @click.option(
     "--list", is_flag=True, is_eager=True, expose_value=False, callback=_show, help="Show the examples."
 )
-def new(name: Path, example: str) -> None:
-    """Write NAME.toml, a commented scene to begin with: a copy of an example; nothing is overwritten."""
+def new(name: Path, example: str | None) -> None:
+    """Write NAME.toml, a commented scene to begin with.
+
+    It is a copy of the example of that name, or of the pendulum. Nothing is overwritten.
+    """
     path = name if name.suffix == ".toml" else name.with_name(f"{name.name}.toml")
-    text = text_of(example)
+    text = text_of(example or (path.stem if path.stem in titles() else FIRST))
     try:
         with open(path, "x", encoding="utf-8") as file:
             file.write(text)

@@ -35,7 +35,8 @@ set_option = click.option(
     metavar="NAME=VALUE",
     multiple=True,
     callback=_values,
-    help='A parameter, with or without unit (d="2 in"), or a setting (solve.route=ida). Repeatable.',
+    help='A parameter (d="2 in"; without a unit it has that of the file), or a setting (solve.route=ida). '
+    "Repeatable.",
 )
 
 

@@ -70,7 +70,7 @@ def plot(result: Path, out: Path | None, theme: str) -> None:
     "--as",
     "kind",
     type=click.Choice(_FIGURES),
-    help="A figure of the book: free bodies, forces = m a, impulses of a blow, work of each force.",
+    help="A diagram as in a textbook: free bodies, forces = m a, impulses of a blow, work of each force.",
 )
 @click.option(
     "--body", "bodies", metavar="NAME", multiple=True, help="With --as: only this one (repeatable)."
@@ -99,7 +99,7 @@ def draw(
 ) -> None:
     """Draw a scene with names, at its start or another instant.
 
-    It shows most modelling errors.  With --as the figures of the book: without --at at the start, at the
+    It shows most modelling errors. With --as the diagrams of a textbook: without --at at the start, at the
     first blow (impulse-momentum), or over the whole run (energy).
     """
     from ..draw import draw as drawn
@@ -150,7 +150,7 @@ def animate(
 ) -> None:
     """Run a scene and show it in motion.
 
-    HTML is one page that needs nothing else: play, scrub, slow motion, step from event to event.  GIF and MP4
+    HTML is one page that needs nothing else: play, scrub, slow motion, step from event to event. GIF and MP4
     show the same: blows with their impulses, the time with its events, and what --show and --trace ask for.
     """
     from ..animate import animate as animated

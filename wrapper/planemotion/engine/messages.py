@@ -198,7 +198,7 @@ def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
     if place == "spin.inertia" and found == 0:
         return f"{place}: nothing that turns has an inertia about the axis at the start; give it"
     if math.isfinite(bound):
-        wanted = "it must be greater" if found == bound == 0 else f"the bound is {with_unit(bound, unit)}"
+        wanted = f"the bound is {with_unit(bound, unit)}" if found or bound else "it must be greater than 0"
         return f"{place or 'a value'}: it is {with_unit(found, unit)}; {wanted}"
     return f"{place}: it is {found:.6g} at the start; a force is finite, and a power needs a motion"
 

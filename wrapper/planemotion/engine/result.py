@@ -168,7 +168,7 @@ class RunResult:
         lines = [
             f"{self.id}: {self.status}" + (f" - {self.error}" if self.error else ""),
             f"  route: {', '.join(self.route) or 'none'}",
-            f"  {', '.join(f'{count} {name}' for name, count in self.counts.items() if name != 'routes')}",
+            f"  {counts_text(self.counts)}",
             f"  audit (relative residuals): {audit}",
             *([f"  errors: {trust_text(self)}"] if self.excess is not None else []),
             *(f"  {note}" for note in self.notes),
@@ -312,6 +312,19 @@ def _known(choose: Callable[[list[float]], float], numbers: Iterable[float]) -> 
     """The least or greatest number; None if any is not known."""
     found = [float(number) for number in numbers]
     return None if not found or any(math.isnan(number) for number in found) else choose(found)
+
+
+def counts_text(counts: Mapping[str, int]) -> str:
+    """What a run needed and met, without what it did not: "1 phase, 2 events"."""
+    return ", ".join(
+        f"{count} {_one(name) if count == 1 else name}".replace("_", " ")
+        for name, count in counts.items()
+        if count and name != "routes"
+    )
+
+
+def _one(counted: str) -> str:
+    return counted.removesuffix("es") if counted.endswith("passes") else counted.removesuffix("s")
 
 
 def trust_text(result: RunResult) -> str:

@@ -19,7 +19,7 @@ def titles() -> dict[str, str]:
     """Names of all examples, the one for beginners first, each with what its first line says."""
     names = sorted(entry.name[:-5] for entry in files(__name__).iterdir() if entry.name.endswith(".toml"))
     names.sort(key=lambda name: name != FIRST)
-    return {name: _read(name).partition("\n")[0].lstrip("# ") for name in names}
+    return {name: " ".join(_read(name).partition("\n")[0].lstrip("# ").split()) for name in names}
 
 
 def text_of(name: str) -> str:

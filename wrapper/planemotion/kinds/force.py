@@ -91,23 +91,27 @@ class AppliedForce(Force):
         return given * x / size, given * y / size
 
     def draw(self, sketch: Sketch, where: str) -> Place:
-        """An arrow to the point, along the force at t = 0; dotted, from below, where the motion tells it."""
+        """An arrow to the point, along the force as far as it is known; else dotted, from below."""
         if len(self.partners) == 2:
             return sketch.across(self.partners, where, partial(_towards_each_other, sketch))
         (point,) = sketch.read(self.partners, where, "point")
         at = sketch.of_partner(point, point)
-        known = self._direction(sketch)
+        known = _seen(sketch, where) or self._direction(sketch)
         tail = sketch.pen.tail(at, *(known or (0.0, 1.0)))
         sketch.pen.arrow(tail, at, linestyle="-" if known else ":")
         return tail
 
     def _direction(self, sketch: Sketch) -> tuple[float, float] | None:
-        """None for one of given power, or that the motion tells."""
+        """At t = 0.  None for one of given power, or that the motion tells."""
         if not isinstance(self.value, Vector):
             return None
-        first, second = (sketch.at_start(part) for part in (self.value.first, self.value.second))
-        if (first is None and second == 0) or (first == 0 and second is None):
-            first, second = (0.0 if part == 0 else 1.0 for part in (first, second))
+        parts = self.value.first, self.value.second
+        first, second = (sketch.at_start(part) for part in parts)
+        varies = [not sketch.is_constant(part) for part in parts]
+        if self.value.polar:
+            first = first or (1.0 if varies[0] else first)
+        elif not first and not second and sum(varies) == 1:  # along the part that is not always 0
+            first, second = map(float, varies)
         if first is None or second is None or first == second == 0:
             return None
         x, y = (first * math.cos(second), first * math.sin(second)) if self.value.polar else (first, second)
@@ -115,6 +119,13 @@ class AppliedForce(Force):
             return x, y
         turn = sketch.angle(self.turns_with)
         return x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
+
+
+def _seen(sketch: Sketch, where: str) -> tuple[float, float] | None:
+    """The force of a run at this instant; None if it is not known, or none."""
+    name = where.removeprefix("forces.")
+    x, y = (sketch.known.get(f"{name}.force.{part}", 0.0) for part in ("x", "y"))
+    return (x, y) if math.isfinite(x + y) and (x, y) != (0.0, 0.0) else None
 
 
 def _towards_each_other(sketch: Sketch, a: Place, b: Place) -> None:

@@ -45,7 +45,8 @@ def require(node: Node, wanted: Dimension, resolve: Callable[[Leaf], Dimension |
     """Raises SceneError unless the expression has the wanted dimension (0 fits any)."""
     found = dimension(node, resolve)
     if found is not None and found != wanted:
-        raise SceneError(f"{wanted.phrase}{_such_as(wanted)} is wanted; this is {found.phrase}")
+        reason = f"{wanted.phrase}{_such_as(wanted)} is wanted; this is {found.phrase}"
+        raise SceneError(reason + _with_unit(node, found, wanted))
 
 
 def _such_as(wanted: Dimension) -> str:
@@ -54,6 +55,13 @@ def _such_as(wanted: Dimension) -> str:
         return ""
     formula = f"{wanted.formula}, " if wanted.formula != wanted.name else ""
     return f" ({formula}such as {wanted.unit})"
+
+
+def _with_unit(node: Node, found: Dimension, wanted: Dimension) -> str:
+    """How a bare number is written with a unit."""
+    if not isinstance(node, Number) or found != DIMENSIONLESS or not wanted.unit:
+        return ""
+    return f'; give it a unit: "{node.value_si:g} {wanted.unit}"'
 
 
 # What operators and functions of dimensionless numbers take, where "a plain number" would be unclear.

@@ -307,7 +307,7 @@ class Ask(Table):
 
     @property
     def text(self) -> str:
-        """What was asked, for people: "max hoop.omega", "-sphere.omega at before strike 1"."""
+        """What was asked, for people: "max hoop.omega", "-sphere.omega before strike 1"."""
         words = [("" if word == "of" else f"{word} ", getattr(self, word)) for word in ASK_WORDS]
         words.append(("which happened of ", ", ".join(self.events) if self.events else None))
         words.append(("at percent ", None if self.percent is None else str(self.percent)))
@@ -317,7 +317,7 @@ class Ask(Table):
         if isinstance(self.at, At):
             words += [("at max ", self.at.max), ("at min ", self.at.min), ("at each ", self.at.each)]
         else:
-            words.append(("at ", self.at))
+            words.append(("" if str(self.at).startswith("before ") else "at ", self.at))
         words.append(("in run ", self.run))
         return " ".join(f"{word}{written}" for word, written in words if written is not None)
 

@@ -56,6 +56,8 @@ STYLE: Any = {
 }
 # A parameter of at most so many values makes a family of curves instead of the second axis of a map.
 FAMILY = 6
+_LEAST = 6.5  # points: smaller letters cannot be read
+_ON_DOTS = 1.06  # times as wide may a line be on 100 dots to an inch
 ROW_HEIGHT = 1.75  # inches
 _PAD = 0.09  # inches between panels
 HEAD_HEIGHT = 0.62  # inches above the panels for title and subtitle
@@ -79,17 +81,30 @@ def save(figure: Figure, path: Path) -> None:
         figure.savefig(temporary, format=kind, dpi=RESOLUTION, metadata=_WITHOUT_DATE.get(kind))
 
 
-def _fitting(text: str, most: float, width: float) -> float:
-    """The size of letters in points, at most `most`, with which a bold line is no wider than that [in]."""
-    bold = FontProperties(weight="bold", size=most)
-    needed = TextPath((0, 0), text, prop=bold).get_extents().width / 72 if text else 0.0
-    return most * min(1.0, width / needed) if needed else most
+def _fitting(text: str, most: float, width: float) -> tuple[str, float]:
+    """A bold line that is no wider than that [in], and the size of its letters in points, at most `most`.
+
+    Letters get smaller as far as they can be read; then the last words are left out.
+    """
+    kept = text
+    while _width(kept, _LEAST) > width and " " in text:
+        text = text.rpartition(" ")[0]
+        kept = f"{text} ..."
+    needed = _width(kept, most)
+    return kept, most * min(1.0, width / needed) if needed else most
+
+
+def _width(text: str, size: float) -> float:
+    """Of a bold line, in inches; on few dots letters are wider than drawn."""
+    bold = FontProperties(weight="bold", size=size)
+    return _ON_DOTS * TextPath((0, 0), text, prop=bold).get_extents().width / 72 if text else 0.0
 
 
 def head(figure: Figure, title: str, subtitle: str) -> None:
     """Title and subtitle at the upper left, with room kept for them."""
     height, width = figure.get_figheight(), figure.get_figwidth()
-    size, small = (_fitting(text, most, width - 0.24) for text, most in ((title, 11.0), (subtitle, 8.5)))
+    lines = ((title, 11.0), (subtitle, 8.5))
+    (title, size), (subtitle, small) = (_fitting(text, most, width - 0.24) for text, most in lines)
     figure.text(0.12 / width, 1 - 0.12 / height, title, va="top", weight="bold", size=size)
     figure.text(0.12 / width, 1 - 0.37 / height, subtitle, va="top", color=SOFT, size=small)
     engine = figure.get_layout_engine()

@@ -17,11 +17,10 @@ from matplotlib.ticker import MaxNLocator
 from ..geometry.curves import CurveMark
 from ..geometry.drawing import Drawing
 from ..geometry.marks import CircleMark, LineMark, Pair, RowMark
-from ..geometry.motion import reads_motion
 from ..geometry.pairs import is_pair
 from ..geometry.partners import Partner, partner
 from ..language.dimensions import LENGTH
-from ..language.leaves import evaluate
+from ..language.leaves import evaluate, names
 from ..language.tree import Node
 from ..language.units import factor
 from ..model.readers import Value, Vector
@@ -35,6 +34,8 @@ _WIDTH, _HEIGHT, _ROOM = 7.6, 5.6, 0.55
 _TICK = 0.7  # an inch of axis for each number below it, so that they keep apart, in
 # A scene of no size (one particle) is drawn as if it were so large, in m.
 _NO_SIZE = 1.0
+# What is smaller is the rounding of places: of the greatest coordinate, and in m.
+_ROUNDED, _LEAST = 1e-9, 1e-12
 
 
 # A point or circle at an end of a strand, and whether it is passed counterclockwise.
@@ -47,6 +48,7 @@ class Sketch:
 
     `poses`: x, y (m) and angle (rad) of the mass centre of each body; `unit`: of lengths on the axes;
     `room`: lower left [2] and upper right [2] of what is to be seen, in that unit; None: what the poses need.
+    `known`: what is known of the motion, by address in SI: velocities, forces.
     """
 
     def __init__(
@@ -55,8 +57,10 @@ class Sketch:
         poses: Mapping[str, tuple[float, float, float]],
         unit: str,
         room: tuple[np.ndarray, np.ndarray] | None = None,
+        known: Mapping[str, float] | None = None,
     ) -> None:
         self.drawing = drawing
+        self.known = known or {}
         self.poses = poses
         self.unit = unit
         self.factor = factor(unit)[0]
@@ -124,12 +128,19 @@ class Sketch:
         return self.point(next(body for body in bodies if body != GROUND), "center")
 
     def at_start(self, written: Value) -> float | None:
-        """A number of a force, which may depend on t, at t = 0; None if it depends on the motion."""
+        """A number of a force, which may depend on t, at t = 0; None if what it reads is not known."""
         parameters = self.drawing.reader.parameters
-        defaults, node = parameters.defaults, parameters.parse(written)
-        if reads_motion(node, defaults):
+        values = {"t": 0.0, **self.known, **parameters.defaults}
+        node = parameters.parse(written)
+        if any(str(leaf) not in values for leaf in names(node)):
             return None
-        return evaluate(node, lambda leaf: 0.0 if str(leaf) == "t" else defaults[str(leaf)])
+        value = evaluate(node, lambda leaf: values[str(leaf)])
+        return value if math.isfinite(value) else None
+
+    def is_constant(self, written: Value) -> bool:
+        """Whether a number of a force reads parameters alone."""
+        parameters = self.drawing.reader.parameters
+        return all(str(leaf) in parameters.defaults for leaf in names(parameters.parse(written)))
 
     def read(self, texts: tuple[str, ...], where: str, *wanted: str) -> list[Partner]:
         """The partners of an element."""
@@ -144,8 +155,8 @@ class Sketch:
         places += [at for line in self.drawing.marks(GROUND).lines.values() for at in self.seen_of(line)]
         xy = np.array(places)
         low, high = xy.min(axis=0), xy.max(axis=0)
-        size = max(float((high - low).max()), 0.0)
-        if size == 0.0:
+        size = float((high - low).max())
+        if size <= max(_ROUNDED * float(np.abs(xy).max()), _LEAST / self.factor):
             size = _NO_SIZE / self.factor
             low, high = low - 0.5 * size, high + 0.5 * size
         return low, high
@@ -180,9 +191,8 @@ class Sketch:
 
         `low` and `high` become its corners."""
         size = np.maximum(self.high - self.low, 0.12 * float((self.high - self.low).max()))
-        room = 2 * _ROOM
-        inch = float(max(size[0] / (_WIDTH - room), size[1] / (_HEIGHT - room)))
-        paper = np.maximum(size / inch + room, (3.2, 1.6))
+        inch = inch_of(size)
+        paper = np.maximum(size / inch + 2 * _ROOM, (3.2, 1.6))
         middle = 0.5 * (self.low + self.high)
         self.low, self.high = middle - 0.5 * paper * inch, middle + 0.5 * paper * inch
         return inch, paper
@@ -343,6 +353,11 @@ class Sketch:
             at = start + k * step
             return _towards(center, radius, (float(at[0]), float(at[1])))
         return self.between_circles(a, b)
+
+
+def inch_of(size: np.ndarray) -> float:
+    """The length that is an inch on paper, for a drawing of a size [2]."""
+    return float(max(size[0] / (_WIDTH - 2 * _ROOM), size[1] / (_HEIGHT - 2 * _ROOM)))
 
 
 def _towards(center: Place, radius: float, at: Place) -> tuple[Place, Place]:

@@ -140,7 +140,8 @@ def instant(
         recorded = recording.record(flat, bends={})
         row = next(_blows_of(recorded), 0)
         if not row:
-            raise SceneError("nothing is struck in the run", path="at")
+            reason = 'nothing is struck in the run: there is no impulse to draw; "kinetic" draws forces'
+            raise SceneError(reason, path="impulse-momentum")
     elif at is None and last:
         recorded = recording.record(flat, bends={})
         row = len(recorded.time) - 1

@@ -16,6 +16,7 @@ from ..engine.outcome import History
 from ..language.dimensions import TIME
 from ..language.units import parse_quantity
 from ..reading.scene import HasData
+from .known import at_row
 from .scene import Pose, Start, drawing_of, start_of
 
 # The rows at the ends of a run.
@@ -44,6 +45,7 @@ def instant_of(scene: HasData, at: str, run: str | None = None) -> Start:
         drawing=drawing,
         poses=poses,
         velocities=velocities,
+        known=at_row(recorded, row),
         when=time if _seconds(at) is not None else f"{at.strip()}, {time}",
     )
 
@@ -102,9 +104,8 @@ def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
     if not 1 <= nth <= len(rows):
         happened = sorted({one for event in recorded.events for one in event.split(", ") if one})
         known = ", ".join([*happened, *_ENDS])
-        often = (
-            f"the run has {len(rows)} of these" if rows else f"nothing of that name happens; it has {known}"
-        )
+        none = f"nothing of that name happens in the run; there is {known}"
+        often = f"the run has {len(rows)} of these" if rows else none
         if first == "after" and rest:
             often = just_after(rest)
         raise SceneError(often, path="at", value=at)

@@ -16,6 +16,7 @@ from matplotlib.patches import Arc
 
 from ..base.errors import StudyError
 from ..language.units import factor
+from ..model.words import unknown
 from ..pen.page import SOFT, VELOCITY
 from ..pen.sketch import Sketch
 from ..pen.symbols import Place
@@ -27,7 +28,7 @@ _SMALL = 7.5  # size of numbers, points
 _LEAST = 0.18  # inches: what is shorter on paper has no dimension
 _ARC = 0.45  # radius of an angle, inches
 _ARROW = 0.5  # inches of the greatest velocity: less than the room around all that has a size
-_STILL = 1e-9  # of the greatest velocity: what is slower stands still
+_STILL = 1e-9  # of the greatest velocity, of places that turn too: what is slower stands still
 _LEVEL = 1e-6  # rad: a rod is level or upright
 
 
@@ -35,7 +36,7 @@ def shown_with(words: Sequence[str]) -> list[Callable[[Start, Sketch], None]]:
     """What draws these words.  Raises StudyError for one that there is not."""
     for word in words:
         if word not in SHOWN:
-            raise StudyError(f'show = "{word}": of {", ".join(SHOWN)} any may be shown')
+            raise StudyError(f'show = "{word}": {unknown(word, SHOWN, "word")}')
     return [draw for word, draw in SHOWN.items() if word in words]
 
 
@@ -168,17 +169,19 @@ def velocities(start: Start, sketch: Sketch) -> None:
     known = start.velocities
     fastest = max((math.hypot(x, y) for x, y, _ in known.values()), default=0.0)
     fastest_turn = max((abs(omega) for *_, omega in known.values()), default=0.0)
+    size = float((sketch.high - sketch.low).max()) * sketch.factor
+    still = _STILL * max(fastest, fastest_turn * size)
     for name in start.drawing.bodies:
         x, y, omega = known.get(name, (0.0, 0.0, 0.0))
         body = start.drawing.bodies[name]
         at = sketch.point(name, "G" if body.rotates else "center")
         speed = math.hypot(x, y)
-        if speed > _STILL * fastest:
-            size = _ARROW * sketch.pen.inch / fastest
-            tip = (at[0] + x * size, at[1] + y * size)
+        if speed > still:
+            scale = _ARROW * sketch.pen.inch / fastest
+            tip = (at[0] + x * scale, at[1] + y * scale)
             sketch.pen.arrow(at, tip, VELOCITY, zorder=7)
             sketch.pen.name(tip, f"{speed / factor(unit)[0]:.4g} {unit}", VELOCITY)
-        if body.rotates and abs(omega) > _STILL * fastest_turn:
+        if body.rotates and abs(omega) * size > still:
             sketch.pen.curved_arrow(at, omega > 0, 0.3, VELOCITY)
             top = (at[0], at[1] + 0.3 * sketch.pen.inch)
             sketch.pen.name(top, f"{abs(omega):.4g} rad/s", VELOCITY)

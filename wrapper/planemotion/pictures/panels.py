@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 # Values along one side of a map: more than a picture has dots are not drawn.
 MAP_CELLS = 1200
+WANTED = "; an .h5 is wanted that `sweep` or `run --history` wrote"
 
 
 def open_sweep(path: Path) -> xr.Dataset:
@@ -39,12 +40,11 @@ def open_sweep(path: Path) -> xr.Dataset:
     try:
         dataset = xr.open_dataset(path, engine="zarr" if is_zarr else "h5netcdf")
     except Exception as error:  # there is nothing that HDF5 does not say of a damaged file
-        raise StudyError(f"{path}: is no result of a sweep or a run: {error}") from error
+        why = WANTED if path.suffix in (".toml", ".csv") else f": {error}"
+        raise StudyError(f"{path}: is no result of a sweep or a run{why}") from error
     if "parameters" not in dataset.attrs or "status" not in dataset:
         dataset.close()
-        raise StudyError(
-            f"{path}: is no result of a sweep or a run; plot wants an .h5 that planemotion wrote"
-        )
+        raise StudyError(f"{path}: is no result of a sweep or a run{WANTED}")
     return dataset
 
 

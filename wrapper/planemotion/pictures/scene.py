@@ -35,6 +35,7 @@ from ..pen.page import BLUE, INK, RED, SOFT
 from ..pen.sketch import Sketch
 from ..pen.symbols import BODY_FILL, SPRING, TOUCH, Place
 from ..reading.scene import HasData, SceneData
+from . import known
 
 _ROD = 0.1  # width of a rod, in
 _PARTICLE = 0.06  # radius of a particle, in
@@ -47,7 +48,6 @@ _IMPERIAL = ("in", "ft", "yd", "mi")
 _LENGTHS = ("mm", "cm", "m", "km", *_IMPERIAL)
 _WITH_UNIT = re.compile(r"[\d.]\s*([a-z]+)\b(?![*/^\w])")
 
-
 Pose = tuple[float, float, float]
 
 
@@ -56,6 +56,7 @@ class Start:
     """What is drawn: the scene, its marks as expressions, pose and velocity (of x, y, angle; SI) of bodies.
 
     `fault`: why the pose is only the written one, "" if the start could be assembled.  `when`: for people.
+    `known`: of the motion, as of known.py.
     """
 
     data: SceneData
@@ -64,6 +65,7 @@ class Start:
     fault: str = ""
     when: str = "at the start"
     velocities: Mapping[str, Pose] = field(default_factory=dict)
+    known: Mapping[str, float] = field(default_factory=dict)
 
 
 def drawing_of(data: SceneData, run: str | None, found: Mapping[str, float] | None = None) -> Drawing:
@@ -97,12 +99,14 @@ def start_of(scene: HasData, run: str | None = None) -> Start:
             for name in drawing.bodies
             for pose in [drawing.pose(name)]
         }
-    return Start(scene.data, drawing, poses, found.message, velocities={} if found.message else velocities)
+    if found.message:
+        return Start(scene.data, drawing, poses, found.message)
+    return Start(scene.data, drawing, poses, velocities=velocities, known=known.at_start(poses, velocities))
 
 
 def figure(start: Start, more: Iterable[Callable[[Start, Sketch], None]] = ()) -> Figure:
     """The picture of a start; `more` draw on it what is shown on request."""
-    sketch = Sketch(start.drawing, start.poses, usual_length(start.data))
+    sketch = Sketch(start.drawing, start.poses, usual_length(start.data), known=start.known)
     SceneDrawing(start.data, sketch).draw()
     for one in more:
         one(start, sketch)
@@ -203,9 +207,8 @@ class SceneDrawing:
             center, radius = self.sketch.place(GROUND, circle.center), self.sketch.length(circle.radius)
             self.sketch.pen.circle(center, radius, edge=INK, linewidth=1.2)
             turn = 0.8 * math.pi
-            self.sketch.pen.name(
-                (center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)), name, SOFT
-            )
+            at = center[0] + radius * math.cos(turn), center[1] + radius * math.sin(turn)
+            self.sketch.pen.name(at, name, SOFT)
         for name, curve in marks.curves.items():
             places = self.sketch.curve(GROUND, curve)
             self.sketch.pen.line(places, INK, 1.2, zorder=1.5)
@@ -229,10 +232,8 @@ class SceneDrawing:
         first = len(pen.ink)
         self._shape(name, body, center)
         for key in body.circles:
-            at, radius = (
-                self.sketch.place(name, marks.circles[key].center),
-                self.sketch.length(marks.circles[key].radius),
-            )
+            circle = marks.circles[key]
+            at, radius = self.sketch.place(name, circle.center), self.sketch.length(circle.radius)
             pen.circle(at, radius, fill="none" if body.shape else BODY_FILL, linewidth=0.9)
             if not body.shape:
                 self._radius_line(name, at, radius)
@@ -315,9 +316,8 @@ class SceneDrawing:
     def _contact(self, name: str, contact: Contact) -> None:
         pairs = [push.places for push in contact_pushes(self.sketch, name, contact)]
         self.sketch.pen.touches(pairs)
-        self.sketch.pen.name(
-            self.sketch.middle(*min(pairs, key=lambda places: math.dist(*places))), name, TOUCH
-        )
+        nearest = min(pairs, key=lambda places: math.dist(*places))
+        self.sketch.pen.name(self.sketch.middle(*nearest), name, TOUCH)
 
     def _active(self, table: str) -> Iterator[tuple[str, Any]]:
         """The elements of a table that take part at these parameters."""

@@ -173,6 +173,7 @@ def _complaint(first: Any, path: str, called: Mapping[str, str] | None) -> Scene
         first["msg"]
         .removeprefix("Input should be ")
         .replace("a valid boolean", "true or false")
+        .replace("a valid integer", "a whole number")
         .replace("'", '"')
     )
     return SceneError(f"{wanted} is wanted", path=path, value=shown)

@@ -122,9 +122,17 @@ def plan_sweep(scene: WrittenScene) -> SweepPlan:
         raise error.at(file=scene.data.file) from None
 
 
+def _example(data: SceneData) -> str:
+    """A grid of a parameter of the scene, as it must be written."""
+    name = next(reversed(data.parameters), "d")
+    unit = declared_unit(data.parameters.get(name, 0))
+    last = "1" if unit in ("", "1") else f'"1 {unit}"'
+    return f"sweep.{name} = {{ from = 0, to = {last}, num = 11 }}"
+
+
 def _plan(data: SceneData) -> SweepPlan:
     if not data.sweep.grids:
-        raise SceneError("nothing to sweep; write for example sweep.d = { from, to, num }", path="sweep")
+        raise SceneError(f"nothing to sweep; write for example {_example(data)}", path="sweep")
     dimensions = Parameters(data.parameters, tables=data.book).dimensions
     options = [name for name in data.sweep.grids if name not in data.parameters]
     units = {name: declared_unit(data.parameters.get(name, 0)) for name in data.sweep.grids}

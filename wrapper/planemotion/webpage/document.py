@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ..animation import page as player
 from ..base.versions import versions
 from ..engine.kernel import status_text
-from ..engine.result import trust_text
+from ..engine.result import counts_text, trust_text
 from ..pictures.panels import read_panels
 from ..report.answers import note_text, unit_text, value_text
 from .outcomes import LISTED, cases_not_ok, outcomes
@@ -72,7 +72,7 @@ def scene_document(told: Told, result: RunResult) -> dict[str, Any]:
         "audit": [{"name": name, "value": _residual(value)} for name, value in result.audit.items()],
         "trust": trust_text(result),
         "notes": result.notes,
-        "counts": _work(result.counts),
+        "counts": counts_text(result.counts),
         "provenance": {**_settings(told.data), **versions()},
     }
 
@@ -123,11 +123,6 @@ def _common(told: Told) -> dict[str, Any]:
 
 def _answer(key: str, ask: AskValue) -> dict[str, str]:
     return {"key": key, "value": value_text(ask), "unit": unit_text(ask), "note": note_text(ask)}
-
-
-def _work(counts: Mapping[str, int]) -> str:
-    told = ((name.replace("_", " "), count) for name, count in counts.items() if name != "routes")
-    return ", ".join(f"{count} {name}" for name, count in told)
 
 
 def _residual(value: float | None) -> str:

@@ -27,6 +27,7 @@ function themed(layout) {
     font: { color: colour("ink"), family: "system-ui, DejaVu Sans, sans-serif", size: 13 },
     margin: { l: 60, r: 20, t: 12, b: 48 },
     legend: { orientation: "h", y: 1.12 },
+    modebar: { bgcolor: "rgba(0,0,0,0)", color: colour("soft"), activecolor: colour("ink") },
   };
 }
 
