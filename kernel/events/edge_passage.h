@@ -4,9 +4,6 @@
 
 #include "events/event.h"
 
-/* Value of a function (pm_event_function) of the workspace at x; the frame looks there. */
-typedef double pm_event_at(void *workspace, double x, void *function);
-
 /* The gap of function i (to an edge) is positive at node k: the first bracket where it is no longer, before node k + 1; 0: there
  * is none. */
 int pm_edge_passage_between(pm_workspace *w, int i, int k, pm_event_at *gap_at, pm_span *x);

@@ -132,6 +132,21 @@ typedef struct pm_event_set {
     int most;       /* size of the function array */
 } pm_event_set;
 
+/* Value of a function (pm_event_function) of the workspace at x; the frame looks there. */
+typedef double pm_event_at(void *workspace, double x, void *function);
+
+/* It goes through zero from a value a to b, the way that counts. */
+static inline int pm_event_way_crosses(const pm_event_function *f, double a, double b)
+{
+    return (f->direction <= 0 && a > 0 && b <= 0) || (f->direction >= 0 && a < 0 && b >= 0);
+}
+
+/* It goes through zero from the side s the way that counts; else it may come back that way. */
+static inline int pm_event_way_may_cross(const pm_event_function *f, double s)
+{
+    return !(f->direction > 0 && s > 0) && !(f->direction < 0 && s < 0);
+}
+
 int pm_event_create(pm_workspace *w);
 
 /* The phase's functions, from triggers, contacts and modes; the frame looks at w->state (DYNAMIC). */

@@ -25,28 +25,28 @@ typedef struct pm_bounded {
 } pm_bounded;
 
 /* ---- what is known of it ---- */
-static int take_law(pm_bounded *x, const pm_event_course *of, int trigger)
+static int take_law(pm_bounded *x, double biggest, int trigger)
 {
     const pm_workspace *w = x->w;
     x->program = PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM];
-    x->nothing = PM_SERIES_ROUNDING * of->biggest;
+    x->nothing = PM_SERIES_ROUNDING * biggest;
     return pm_waves_may_be(w, x->program) && pm_waves_tell_law(w, x->program, PM_SAMPLE_TRIGGERS);
 }
 
-static int take_series(pm_bounded *x, const pm_event_course *of)
+static int take_series(pm_bounded *x, const double *g)
 {
     x->program = PM_NONE;
-    pm_chebyshev_series_of(&x->series, x->w->step.nodes, of->g);
+    pm_chebyshev_series_of(&x->series, x->w->step.nodes, g);
     x->nothing = pm_max(x->series.high, PM_SERIES_ROUNDING * x->series.size);
     return x->series.resolved;
 }
 
-static int take(pm_bounded *x, const pm_event_function *f, const pm_event_course *of)
+static int take(pm_bounded *x, const pm_event_function *f, const double *g, double biggest)
 {
     switch (f->kind) {
-    case FUNCTION_TRIGGER: return !f->every && take_law(x, of, f->index);
+    case FUNCTION_TRIGGER: return !f->every && take_law(x, biggest, f->index);
     case FUNCTION_MEETING:
-    case FUNCTION_STRAND: return take_series(x, of);
+    case FUNCTION_STRAND: return take_series(x, g);
     default: return 0;
     }
 }
@@ -92,18 +92,19 @@ static double beyond(pm_bounded *x, double sign, double from, double to)
 
 /* ---- the zero ---- */
 /* Between s[0] and s[1] of the step; *x stays as it is where the function itself has no other sign there. */
-static int bracket(pm_workspace *w, pm_event_function *f, const double s[2], pm_span *x)
+static int bracket(pm_workspace *w, pm_event_function *f, const double s[2], pm_event_at *value_at,
+                   pm_span *x)
 {
     const double h = w->step.sampled_end - w->step.begin, a = isnan(s[0]) ? x->a : w->step.begin + s[0] * h,
                  b = w->step.begin + s[1] * h;
-    const double ga = isnan(s[0]) ? x->ga : pm_event_samples_along(w, a, f),
-                 gb = b == x->b ? x->gb : pm_event_samples_along(w, b, f);
+    const double ga = isnan(s[0]) ? x->ga : value_at(w, a, f), gb = b == x->b ? x->gb : value_at(w, b, f);
     if (!pm_event_way_crosses(f, ga, gb)) return 0;
     *x = (pm_span){a, b, ga, gb};
     return 1;
 }
 
-int pm_event_bound_first(pm_workspace *w, int i, const pm_event_course *of, pm_span *x)
+int pm_event_bound_first(pm_workspace *w, int i, const double *g, double biggest, pm_event_at *value_at,
+                         pm_span *x)
 {
     pm_event_function *f = &w->event->function[i];
     const double h = w->step.sampled_end - w->step.begin, from = (x->a - w->step.begin) / h,
@@ -111,11 +112,11 @@ int pm_event_bound_first(pm_workspace *w, int i, const pm_event_course *of, pm_s
     pm_bounded known; /* its series is filled where there is one */
     known.w = w;
     known.budget = PM_BOUND_PARTS;
-    if (x->ga == 0 || x->gb == 0 || !take(&known, f, of)) return 0;
+    if (x->ga == 0 || x->gb == 0 || !take(&known, f, g, biggest)) return 0;
     double s[2] = {NAN, beyond(&known, sign, from, to)};
     if (isnan(s[1])) return 0;
-    if (pm_event_way_may_cross(f, sign)) return bracket(w, f, s, x);
+    if (pm_event_way_may_cross(f, sign)) return bracket(w, f, s, value_at, x);
     s[0] = s[1];
     s[1] = beyond(&known, -sign, s[0], to);
-    return !isnan(s[1]) && bracket(w, f, s, x);
+    return !isnan(s[1]) && bracket(w, f, s, value_at, x);
 }

@@ -2,10 +2,11 @@
 #ifndef PM_EVENT_BOUND_H
 #define PM_EVENT_BOUND_H
 
-#include "events/event_parts.h"
+#include "events/event.h"
 
 /* The first zero of function i, of those that count, in the part x of the step: x narrows to a bracket of that zero alone.  0: there
- * is none, or nothing is known of the function that bounds it.  of: its samples; x->a, x->b are beyond zero. */
-int pm_event_bound_first(pm_workspace *w, int i, const pm_event_course *of, pm_span *x);
+ * is none, or nothing is known of the function that bounds it.  g: its samples, `biggest` the greatest of their sizes; x->a, x->b are beyond zero. */
+int pm_event_bound_first(pm_workspace *w, int i, const double *g, double biggest, pm_event_at *value_at,
+                         pm_span *x);
 
 #endif

@@ -39,7 +39,9 @@ static int may_reach(const pm_event_course *of, const pm_span *x)
 static int first_within(pm_workspace *w, int i, const pm_event_course *of, pm_span *x)
 {
     const int shown = pm_event_way_crosses(&w->event->function[i], x->ga, x->gb);
-    return ((shown || may_reach(of, x)) && pm_event_bound_first(w, i, of, x)) || shown;
+    return ((shown || may_reach(of, x)) &&
+            pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) ||
+           shown;
 }
 
 /* ---- dips ---- */
@@ -332,7 +334,7 @@ static int search_between(pm_workspace *w, int i, const pm_event_course *of, int
     const int after = g[k] * g[k + 1] > 0 ? through_and_back(w, i, of, k, &where, &value) : 0;
     if (!after) return 0;
     *x = (pm_span){place[k], place[after], g[k], g[after]};
-    if (pm_event_bound_first(w, i, of, x)) return 1;
+    if (pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;
     *x = pm_event_way_may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
                                          : (pm_span){where, place[after], value, g[after]};
     return 1;

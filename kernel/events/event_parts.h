@@ -18,18 +18,6 @@ static inline int pm_event_samples_wanted(const struct pm_event_set *event, cons
     return !f->owned && !(f->kind == FUNCTION_GAP && event->culling.skipped[f->index]);
 }
 
-/* It goes through zero from a value a to b, the way that counts. */
-static inline int pm_event_way_crosses(const pm_event_function *f, double a, double b)
-{
-    return (f->direction <= 0 && a > 0 && b <= 0) || (f->direction >= 0 && a < 0 && b >= 0);
-}
-
-/* It goes through zero from the side s the way that counts; else it may come back that way. */
-static inline int pm_event_way_may_cross(const pm_event_function *f, double s)
-{
-    return !(f->direction > 0 && s > 0) && !(f->direction < 0 && s < 0);
-}
-
 /* Value of a function (pm_event_function) of the workspace at x, on the dense output; NaN where the route cannot look. */
 double pm_event_samples_along(void *workspace, double x, void *function);
 void pm_event_samples_take(const pm_step *step, struct pm_event_set *event, int i, pm_event_course *x);

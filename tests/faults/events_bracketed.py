@@ -73,7 +73,7 @@ FAULTS = [
     ),
     Fault(
         "event: the wrong way",
-        "events/event_parts.h",
+        "events/event.h",
         "f->direction <= 0 && a > 0 && b <= 0",
         "f->direction >= 0 && a > 0 && b <= 0",
     ),
@@ -92,13 +92,13 @@ FAULTS = [
     Fault(
         "meeting: between two nodes points are nearest once",
         "events/event_bound.c",
-        "case FUNCTION_MEETING: case FUNCTION_STRAND: return take_series(x, of);",
-        "case FUNCTION_MEETING: return 0; case FUNCTION_STRAND: return take_series(x, of);",
+        "case FUNCTION_MEETING: case FUNCTION_STRAND: return take_series(x, g);",
+        "case FUNCTION_MEETING: return 0; case FUNCTION_STRAND: return take_series(x, g);",
     ),
     Fault(
         "meeting: few nodes tell how often points are nearest",
         "events/event_samples.c",
-        "const int meets = functions && may_meet(w->event);",
+        "const int meets = functions && may_meet(&w->step, w->event);",
         "const int meets = 0;",
     ),
     Fault(
@@ -122,7 +122,7 @@ FAULTS = [
     Fault(
         "bound: zeros in a dip of three nodes are one",
         "events/event_bracket.c",
-        "if (pm_event_bound_first(w, i, of, x)) return 1;",
+        "if (pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;",
         "",
     ),
     Fault(
