@@ -51,8 +51,9 @@ double pm_capture_approach(const pm_frame *frame, int contact)
 double pm_capture_soonest(const pm_frame *frame, const pm_state *state, int contact)
 {
     int member;
+    if (isinf(pm_contact_gap(frame, state, contact, &member))) return INFINITY;
     const pm_marks x = marks_of(frame, contact);
-    return isinf(pm_contact_gap(frame, state, contact, &member)) ? INFINITY : pm_length(x.d) / pm_length(x.u);
+    return pm_length(x.d) / pm_length(x.u);
 }
 
 int pm_capture_meets(const pm_numbers *numbers, pm_evidence *evidence, int contact, double distance)

@@ -127,10 +127,18 @@ typedef struct pm_event_set {
     void *solver;         /* gsl_root_fsolver */
     pm_gap_culling culling; /* contacts out of reach of the step */
     double
-        soonest; /* s: two points that may meet need so long by their distance and speed at a node, at the least */
+        soonest; /* s: two points that may meet need so long by their distance and speed at one of few nodes, at the least */
     int first_step; /* of the phase */
     int most;       /* size of the function array */
 } pm_event_set;
+
+/* What has fired at `since`, or was passed there, must be left before it fires again. */
+static inline void pm_event_hold(pm_event_function *f, double since)
+{
+    f->held = 1;
+    f->since = since;
+    f->search = SEARCH_NONE;
+}
 
 /* Value of a function (pm_event_function) of the workspace at x; the frame looks there. */
 typedef double pm_event_at(void *workspace, double x, void *function);

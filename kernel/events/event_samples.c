@@ -62,7 +62,7 @@ static void sample_contacts(pm_workspace *w, int node)
     for (int i = e->ntrigger; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(w->event, f)) continue;
-        if (f->kind == FUNCTION_MEETING)
+        if (f->kind == FUNCTION_MEETING && !pm_chebyshev_nodes_spectral(w->step.nodes))
             e->soonest = pm_min(pm_capture_soonest(&w->frame, &w->state, f->index), e->soonest);
         pm_event_samples(w->event, i)[node] =
             f->pattern == PM_NONE ? pm_event_sample(w, f) : sample_pattern(w, f, node);

@@ -41,13 +41,6 @@ static int was_shortest_before(pm_workspace *w, int i)
     return 1;
 }
 
-static void hold(pm_event_function *f, double since)
-{
-    f->held = 1;
-    f->since = since;
-    f->search = SEARCH_NONE;
-}
-
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
  * was found from an earlier place on still holds, as long as the function has not fired. */
 static int first_of(pm_workspace *w, int i, double from, double not_after, pm_span *x, double *place)
@@ -67,7 +60,7 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_sp
         if (!goes_by(w, i, f->found)) break;
         if (was_shortest_before(w, i)) continue;
         if (f->found <= from) return PM_OK; /* that place again */
-        hold(f, from = f->found);           /* as what has fired: it must be left first */
+        pm_event_hold(f, from = f->found);  /* as what has fired */
     }
     *place = f->found;
     return PM_OK;
@@ -137,7 +130,7 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
         if (status || earliest == PM_NONE || *first <= w->step.begin) return status;
         status = pm_event_locate_settle(w, earliest, &x, first, taken);
         if (status || !misses(w, earliest, *first, &status)) break;
-        hold(&e->function[earliest], pm_max(*first, e->function[earliest].located));
+        pm_event_hold(&e->function[earliest], pm_max(*first, e->function[earliest].located));
     }
     note_spent(e, &w->step, earliest, *first);
     return status;

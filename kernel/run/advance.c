@@ -137,10 +137,7 @@ static void hold_hits(pm_workspace *w, double x)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
-        if (!e->hit[i]) continue;
-        e->function[i].held = 1;
-        e->function[i].since = fmax(x, e->function[i].located);
-        e->function[i].search = SEARCH_NONE;
+        if (e->hit[i]) pm_event_hold(&e->function[i], fmax(x, e->function[i].located));
     }
     pm_event_set_multiples(w);
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);

@@ -121,8 +121,8 @@ FAULTS = [
     Fault(
         "capture: who has passed by meets no more in the step",
         "events/event_search.c",
-        "hold(f, from = f->found)",
-        "hold(f, from = w->step.end)",
+        "pm_event_hold(f, from = f->found)",
+        "pm_event_hold(f, from = w->step.end)",
     ),
     Fault(
         "capture: who passes by is stopped",
@@ -308,5 +308,11 @@ FAULTS = [
         "events/last_bounce.c",
         "return w->numbers.coarse > 1 ? PM_BOUNCE_EARLIER",
         "return w->numbers.coarse > 1e9 ? PM_BOUNCE_EARLIER",
+    ),
+    Fault(
+        "crossing: what has fired is not sought again",
+        "events/event.h",
+        "f->since = since; f->search = SEARCH_NONE;",
+        "f->since = since;",
     ),
 ]

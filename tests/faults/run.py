@@ -11,12 +11,6 @@ FAULTS = [
     ),
     Fault("event: a mark at a step's end comes again", "run/advance.c", "hold_hits(w, w->step.end);", ";"),
     Fault("event: a turn is passed as a mark", "run/advance.c", "!due && !w->step.reverses &&", "!due &&"),
-    Fault(
-        "crossing: what has fired is not sought again",
-        "run/advance.c",
-        "e->function[i].search = SEARCH_NONE;",
-        "",
-    ),
     Fault("event: a mark passed twice", "run/advance.c", "fmax(x, e->function[i].located)", "0"),
     Fault(
         "event: a mark passed again beside its place",

@@ -19,6 +19,7 @@ from ..engine.history import AFTER
 from ..language.units import factor
 from ..model.words import unknown
 from ..pen.symbols import Place
+from ..pictures.known import STILL
 from .carried import ALONE, GROUND, Anchor, signs_of
 from .moving import ENERGIES, Motion, Room
 from .shows import USUALLY, Shows
@@ -28,8 +29,6 @@ from .timing import Timing
 _ARROW, _MOST = 1.0, 1.7
 # Of the forces of a run, so many are not larger than the arrow of that length shows.
 _USUAL = {"velocity": 1.0, "force": 0.98, "impulse": 1.0}
-# Of the greatest velocity: what is slower stands still.
-_STILL = 1e-9
 # A way has a corner at least where its carrier has turned so far, in rad; at most so many between instants.
 _TURN, _CORNERS = 0.1, 200
 
@@ -168,7 +167,7 @@ def _velocities(motion: Motion) -> Iterator[Arrow]:
         arrows.append(Arrow(name, [i, 0.0, 0.0], x, y))
         fastest = max(fastest, float(arrows[-1].sizes.max()), size * float(np.abs(omega).max()))
     for one in arrows:
-        moves = one.sizes > _STILL * fastest
+        moves = one.sizes > STILL * fastest
         yield Arrow(one.name, one.at, one.x * moves, one.y * moves)
 
 

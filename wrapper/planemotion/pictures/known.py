@@ -7,6 +7,8 @@ from collections.abc import Mapping
 
 from ..engine.outcome import History
 
+# Of the greatest velocity, of places that turn too: what is slower stands still.
+STILL = 1e-9
 _OF_PLACE, _OF_VELOCITY = ("x", "y", "angle"), ("velocity.x", "velocity.y", "omega")
 
 

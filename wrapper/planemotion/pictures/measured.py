@@ -20,6 +20,7 @@ from ..model.words import unknown
 from ..pen.page import SOFT, VELOCITY
 from ..pen.sketch import Sketch
 from ..pen.symbols import Place
+from .known import STILL
 from .scene import Start, is_imperial
 
 _OFF, _STEP = 0.3, 0.24  # inches from what is measured to the first dimension line, and to the next
@@ -28,7 +29,6 @@ _SMALL = 7.5  # size of numbers, points
 _LEAST = 0.18  # inches: what is shorter on paper has no dimension
 _ARC = 0.45  # radius of an angle, inches
 _ARROW = 0.5  # inches of the greatest velocity: less than the room around all that has a size
-_STILL = 1e-9  # of the greatest velocity, of places that turn too: what is slower stands still
 _LEVEL = 1e-6  # rad: a rod is level or upright
 
 
@@ -170,7 +170,7 @@ def velocities(start: Start, sketch: Sketch) -> None:
     fastest = max((math.hypot(x, y) for x, y, _ in known.values()), default=0.0)
     fastest_turn = max((abs(omega) for *_, omega in known.values()), default=0.0)
     size = float((sketch.high - sketch.low).max()) * sketch.factor
-    still = _STILL * max(fastest, fastest_turn * size)
+    still = STILL * max(fastest, fastest_turn * size)
     for name in start.drawing.bodies:
         x, y, omega = known.get(name, (0.0, 0.0, 0.0))
         body = start.drawing.bodies[name]
