@@ -25,12 +25,19 @@ typedef struct pm_bounded {
 } pm_bounded;
 
 /* ---- what is known of it ---- */
+int pm_event_bound_is_known(const pm_workspace *w, int i)
+{
+    const pm_event_function *f = &w->event->function[i];
+    if (f->kind != FUNCTION_TRIGGER) return f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
+    const int program = PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM];
+    return !f->every && pm_waves_may_be(w, program) && pm_waves_tell_law(w, program, PM_SAMPLE_TRIGGERS);
+}
+
 static int take_law(pm_bounded *x, double biggest, int trigger)
 {
-    const pm_workspace *w = x->w;
-    x->program = PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM];
+    x->program = PM_TRIGGER_ROW(x->w->model, trigger)[PM_TRIGGER_PROGRAM];
     x->nothing = PM_SERIES_ROUNDING * biggest;
-    return pm_waves_may_be(w, x->program) && pm_waves_tell_law(w, x->program, PM_SAMPLE_TRIGGERS);
+    return 1;
 }
 
 static int take_series(pm_bounded *x, const double *g)
@@ -43,12 +50,7 @@ static int take_series(pm_bounded *x, const double *g)
 
 static int take(pm_bounded *x, const pm_event_function *f, const double *g, double biggest)
 {
-    switch (f->kind) {
-    case FUNCTION_TRIGGER: return !f->every && take_law(x, biggest, f->index);
-    case FUNCTION_MEETING:
-    case FUNCTION_STRAND: return take_series(x, g);
-    default: return 0;
-    }
+    return f->kind == FUNCTION_TRIGGER ? take_law(x, biggest, f->index) : take_series(x, g);
 }
 
 static pm_enclosure enclosed(const pm_bounded *x, double from, double to)

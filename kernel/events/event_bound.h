@@ -4,8 +4,10 @@
 
 #include "events/event.h"
 
-/* The first zero of function i, of those that count, in the part x of the step: x narrows to a bracket of that zero alone.  0: there
- * is none, or nothing is known of the function that bounds it.  g: its samples, `biggest` the greatest of their sizes; x->a, x->b are beyond zero. */
+/* Something is known of function i in the step, which has been sampled, that bounds it. */
+int pm_event_bound_is_known(const pm_workspace *w, int i);
+/* The first zero of such a function, of those that count, in the part x of the step: x narrows to a bracket of that zero alone; 0:
+ * there is none.  g: its samples, `biggest` the greatest of their sizes; x->a, x->b are beyond zero. */
 int pm_event_bound_first(pm_workspace *w, int i, const double *g, double biggest, pm_event_at *value_at,
                          pm_span *x);
 

@@ -25,6 +25,7 @@
 #include <math.h>
 
 #include "numerics/chebyshev.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -32,14 +33,14 @@
 /* Between five nodes or more, whose samples tell the bends (PM_WAVES_CALM times their range), no dip is deeper. */
 static int may_reach(const pm_event_course *of, const pm_span *x)
 {
-    return of->n < PM_NODES || fmin(fabs(x->ga), fabs(x->gb)) < PM_DIP_FAR * (of->high - of->low);
+    return of->n < PM_NODES || pm_min(fabs(x->ga), fabs(x->gb)) < PM_DIP_FAR * (of->high - of->low);
 }
 
 /* The first zero within x: by bounds, where there are any, else if the values at its ends show one. */
 static int first_within(pm_workspace *w, int i, const pm_event_course *of, pm_span *x)
 {
     const int shown = pm_event_way_crosses(&w->event->function[i], x->ga, x->gb);
-    return ((shown || may_reach(of, x)) &&
+    return (of->bounded && (shown || may_reach(of, x)) &&
             pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) ||
            shown;
 }
@@ -323,6 +324,21 @@ static int through_and_back(pm_workspace *w, int i, const pm_event_course *of, i
     return 0;
 }
 
+/* Beyond this, between two nodes of five or more on one side of zero, neither bounds nor dips show a zero. */
+static double far_from_zero(const pm_event_function *f, const pm_event_course *of)
+{
+    if (of->n < PM_NODES || f->edge != PM_NONE) return INFINITY;
+    return PM_DIP_FAR * pm_max(of->biggest, of->high - of->low);
+}
+
+/* The first node from k on between which and the next there may be one. */
+static int next_near(const pm_event_course *of, double far, int k)
+{
+    const double *g = of->g;
+    while (k + 1 < of->n && fabs(g[k]) > far && fabs(g[k + 1]) > far && g[k] * g[k + 1] > 0) k++;
+    return k;
+}
+
 /* The first bracket between node k and the next. */
 static int search_between(pm_workspace *w, int i, const pm_event_course *of, int k, pm_span *x)
 {
@@ -334,7 +350,7 @@ static int search_between(pm_workspace *w, int i, const pm_event_course *of, int
     const int after = g[k] * g[k + 1] > 0 ? through_and_back(w, i, of, k, &where, &value) : 0;
     if (!after) return 0;
     *x = (pm_span){place[k], place[after], g[k], g[after]};
-    if (pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;
+    if (of->bounded && pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;
     *x = pm_event_way_may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
                                          : (pm_span){where, place[after], value, g[after]};
     return 1;
@@ -344,7 +360,8 @@ static int search_between(pm_workspace *w, int i, const pm_event_course *of, int
 static int search(pm_workspace *w, int i, const pm_event_course *of, int first, double from, pm_span *x)
 {
     const pm_event_function *f = &w->event->function[i];
-    for (int k = first; k + 1 < of->n; k++) {
+    const double far = far_from_zero(f, of);
+    for (int k = first; (k = next_near(of, far, k)) + 1 < of->n; k++) {
         if (f->edge != PM_NONE && of->g[k] > 0 &&
             pm_edge_passage_between(w, i, k, pm_event_samples_along, x) && x->b > from)
             return 1;
@@ -359,6 +376,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_function *f = &e->function[i];
     pm_event_course of;
     pm_event_samples_take(&w->step, w->event, i, &of);
+    of.bounded = pm_event_bound_is_known(w, i);
     const int last = of.n - 1;
     int first = 0;
     const int ends = (e->at_root || e->at_due) && pm_step_is_last(&w->step);

@@ -8,6 +8,7 @@
 typedef struct pm_event_course {
     const double *g;           /* [n] values at the nodes: the samples, or `own` */
     double biggest, low, high; /* of their sizes; of them */
+    int bounded; /* something is known that bounds it (event_bound.h); set in event_bracket.c alone */
     int n;
     double own[PM_NODES_MOST]; /* values that are not the samples */
 } pm_event_course;

@@ -242,8 +242,8 @@ FAULTS = [
     Fault(
         "segment: barrier ignored",
         "routes/path/repeat_energy.c",
-        "if (!(next - depth > near)) {",
-        "if (0) {",
+        "c.is_last = c.n < most && !is_over(",
+        "c.is_last = 0 && !is_over(",
     ),
     Fault(
         "segment: the end within the last segment",

@@ -1,6 +1,7 @@
 /* repeat_energy.c - from segment to segment, the kinetic energy.
  *
  *   T_end = T + W,    T_next = m T_end      W the work on the segment, m the ratio of the blow: neither depends on the speed
+ *   n segments on:    m^n T + (m + m^2 + ... + m^n) W
  *
  * From one begin to the next places differ by the shift alone.  So W is the work of the weight on the way that all bodies
  * have gone, and what forces without potential have done; exactly, while differences of energies would be rounded, and
@@ -35,32 +36,82 @@ void pm_repeat_energy_add(const pm_repeat *l, pm_repeats *c)
     c->kinetic = next;
 }
 
-/* A segment that begins with T = kinetic comes before the one that is known not to be sure. */
-static int is_before_unsure(const pm_repeat *l, double begin, double kinetic)
+/* ---- over the barrier ---- */
+/* m^n - 1, and m + m^2 + ... + m^n, exactly where m is near to 1, too. */
+typedef struct pm_powers {
+    double rise, sum;
+} pm_powers;
+
+static pm_powers powers(double m, int64_t n)
 {
-    return isnan(l->unsure) || (kinetic - l->unsure) * (begin - l->unsure) > 0;
+    const double rise = n == 0 ? 0 : expm1((double)n * log(m));
+    return (pm_powers){rise, m == 1 ? (double)n : m * rise / (m - 1)};
+}
+
+/* n segments after the one that begins with T = begin: T + (m^n - 1) T + (m + ... + m^n) W. */
+static double kinetic_after(const pm_repeat *l, double begin, int64_t n)
+{
+    const pm_powers x = powers(l->ratio, n);
+    return begin + (x.rise * begin + x.sum * l->work);
+}
+
+/* Of `most` segments so many until T, which only rises or only falls, is `level`: (m^n - 1) (T' - T) = (level - T) (m - 1), T' being
+ * that of the next one.  All of them if it never is, or is behind the first. */
+static int64_t until(const pm_repeat *l, double begin, double level, int64_t most)
+{
+    const double step = begin * (l->ratio - 1) + l->ratio * l->work, way = level - begin,
+                 n = l->ratio == 1 ? way / step : log1p(way * (l->ratio - 1) / step) / log(l->ratio);
+    return n >= 0 && n < (double)most ? (int64_t)n : most;
+}
+
+/* What the segments go by that are passed over: T of each is above `least`, and has not reached that of the unsure one. */
+typedef struct pm_bound {
+    double begin, least, unsure;
+} pm_bound;
+
+static int is_over(const pm_bound *b, double kinetic) { return kinetic > b->least; }
+
+static int is_sure(const pm_bound *b, double kinetic)
+{
+    return is_over(b, kinetic) && (isnan(b->unsure) || (kinetic - b->unsure) * (b->begin - b->unsure) > 0);
+}
+
+/* How many of `most` are sure, the segment after each of them included: sought around that number, which is rounded. */
+static int64_t sure_of(const pm_repeat *l, const pm_bound *b, int64_t most)
+{
+    int64_t low = 0, high = most + 1, n = until(l, b->begin, b->least, most);
+    if (!isnan(b->unsure)) n = until(l, b->begin, b->unsure, n);
+    for (int64_t further = 1; high - low > 1; further *= 2) {
+        if (!(n > low && n < high)) n = low + (high - low) / 2;
+        if (is_sure(b, kinetic_after(l, b->begin, n)))
+            n = (low = n) + further;
+        else
+            n = (high = n) - further;
+    }
+    return low;
+}
+
+/* `error` of T, carried on by n segments, and their roundings: sum of m^(n-1-k) (T_end + T_next), of which none is greater than the
+ * first or the last. */
+static double error_after(const pm_repeat *l, const pm_repeats *c, double begin, double error)
+{
+    const pm_powers x = powers(l->ratio, c->n);
+    const double end = fmax(begin + l->work, c->kinetic / l->ratio);
+    return (1 + x.rise) * error + PM_ENERGY_ROUNDINGS * (1 + l->ratio) * end * x.sum / l->ratio;
 }
 
 pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
 {
+    const double depth = pm_repeat_energy_depth(l), near = PM_REPEAT_BARRIER * fmax(l->kinetic, fabs(depth));
+    const pm_bound bound = {begin, depth + near, l->unsure};
     pm_repeats c = {.kinetic = begin, .error = error};
-    const double depth = pm_repeat_energy_depth(l);
-    const double near = PM_REPEAT_BARRIER * fmax(l->kinetic, fabs(depth));
-    if (!(begin - depth > near)) return c;
+    if (!is_over(&bound, begin)) return c;
     if (most > PM_MOST_REPEATS) most = PM_MOST_REPEATS;
-    while (c.n < most) {
-        const double t = c.kinetic, next = l->ratio * (t + l->work);
-        if (!(next - depth > near)) {
-            c.is_last = 1;
-            return c;
-        }
-        if (!is_before_unsure(l, begin, next)) return c;
-        pm_repeat_energy_add(l, &c);
-        if (fabs(next - t) > PM_REPEAT_SAME_STEP * t) continue;
-        /* what is gained is lost in the blow: so it goes on */
-        c.lost += (double)(most - c.n) * (t + l->work - next);
-        c.n = most;
-        c.kinetic = t;
-    }
+    c.n = sure_of(l, &bound, most);
+    const pm_powers x = powers(l->ratio, c.n);
+    c.kinetic = kinetic_after(l, begin, c.n);
+    c.lost = ((double)c.n - x.sum) * l->work - x.rise * begin;
+    c.error = error_after(l, &c, begin, error);
+    c.is_last = c.n < most && !is_over(&bound, kinetic_after(l, begin, c.n + 1));
     return c;
 }
