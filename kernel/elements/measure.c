@@ -159,20 +159,28 @@ static double part_of(const pm_numbers *numbers, const int32_t *e, const double 
     }
 }
 
-static double read_off(const pm_measure_args *x)
+static double read_part(const pm_measure_args *x)
 {
-    const pm_measure_ops *ops = &kinds[x->e[PM_MEASURE_KIND]];
-    if (ops->scalar) return ops->scalar(x);
     double v[2];
-    ops->vector(x, v);
+    kinds[x->e[PM_MEASURE_KIND]].vector(x, v);
     return part_of(&x->w->numbers, x->e, v);
+}
+
+static pm_measure_reader reader_of(pm_workspace *w, const int32_t *e)
+{
+    const pm_measure_ops *ops = &kinds[e[PM_MEASURE_KIND]];
+    return (pm_measure_reader){ops->scalar ? ops->scalar : read_part, {w, e, e[PM_MEASURE_A]}};
+}
+
+pm_measure_reader pm_measure_reader_of(pm_workspace *w, int i)
+{
+    return reader_of(w, PM_MEASURE_ROW(w->model, i));
 }
 
 double pm_measure_signed(pm_workspace *w, int i)
 {
-    const int32_t *e = PM_MEASURE_ROW(w->model, i);
-    const pm_measure_args x = {w, e, e[PM_MEASURE_A]};
-    return read_off(&x);
+    const pm_measure_reader x = pm_measure_reader_of(w, i);
+    return pm_measure_read(&x);
 }
 
 double pm_measure(pm_workspace *w, int i)
@@ -257,12 +265,12 @@ void pm_measure_start_gradient(pm_workspace *w, int i, int level, double *coeffi
     if (level == PM_START_POSITION)
         rate[PM_MEASURE_KIND] =
             rate[PM_MEASURE_KIND] == PM_MEASURE_ANGLE ? PM_MEASURE_OMEGA : PM_MEASURE_VELOCITY;
-    const pm_measure_args x = {w, rate, rate[PM_MEASURE_A]};
+    const pm_measure_reader x = reader_of(w, rate);
     double *velocity = w->frame.velocity;
     for (int k = 0; k < w->model->nq; k++) velocity[k] = 0;
     for (int k = 0; k < w->model->nq; k++) {
         velocity[k] = 1;
-        coefficient[k] = read_off(&x);
+        coefficient[k] = pm_measure_read(&x);
         velocity[k] = 0;
     }
     for (int k = 0; k < w->model->nq; k++) velocity[k] = w->frame.v[k];

@@ -12,8 +12,14 @@ enum pm_measure_flag {
     PM_MEASURE_STARTS_VELOCITY = 16
 };
 
-struct pm_slope;        /* slope.h */
-struct pm_measure_args; /* measure_kinds.h */
+struct pm_slope; /* slope.h */
+
+/* One measure. */
+typedef struct pm_measure_args {
+    pm_workspace *w;
+    const int32_t *e; /* its row */
+    int a;            /* partner; bodies: PM_NONE for all, nbody for the ground */
+} pm_measure_args;
 
 /* One kind: what it is of, what is known of it before it is measured (expression/program_class.h), how it is read off. */
 typedef struct pm_measure_ops {
@@ -22,11 +28,11 @@ typedef struct pm_measure_ops {
     int energy; /* enum pm_program_energy; of a vector: of its components */
     int degree; /* enum pm_program_degree, unless what it is of says otherwise (scene/program_degree.c) */
     int flags;  /* enum pm_measure_flag */
-    double (*scalar)(const struct pm_measure_args *x);
-    void (*vector)(const struct pm_measure_args *x, double out[2]); /* of which a part is read */
+    double (*scalar)(const pm_measure_args *x);
+    void (*vector)(const pm_measure_args *x, double out[2]); /* of which a part is read */
     /* Adds its derivative by positions and velocities, times `weight` (of a vector weight[2], one for each component); 0: here it
      * has none in closed form.  NULL: it has none anywhere. */
-    int (*slope)(const struct pm_measure_args *x, const double weight[2], struct pm_slope *to);
+    int (*slope)(const pm_measure_args *x, const double weight[2], struct pm_slope *to);
 } pm_measure_ops;
 
 const pm_measure_ops *pm_measure_kind(int kind);
@@ -38,6 +44,13 @@ int pm_measure_level(const pm_model *m, int i);
 double pm_measure(pm_workspace *w, int i);
 /* The same; where it is the size of something, that with its sign (what programs read: pm_workspace.read_measure). */
 double pm_measure_signed(pm_workspace *w, int i);
+/* The same of a measure that is read at many places: what its row says is looked up once. */
+typedef struct pm_measure_reader {
+    double (*read)(const pm_measure_args *x);
+    pm_measure_args of;
+} pm_measure_reader;
+pm_measure_reader pm_measure_reader_of(pm_workspace *w, int i);
+static inline double pm_measure_read(const pm_measure_reader *x) { return x->read(&x->of); }
 /* Its derivative by positions and velocities is not 0 everywhere. */
 int pm_measure_moves(const pm_model *m, int i);
 /* Adds `weight` times that derivative at the frame, running integrals as they are: in closed form, or where there is none by

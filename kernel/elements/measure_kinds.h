@@ -4,15 +4,10 @@
 
 #include <math.h>
 
+#include "elements/measure.h"
 #include "elements/slope.h"
 #include "state/frame.h"
 #include "state/workspace.h"
-
-typedef struct pm_measure_args {
-    pm_workspace *w;
-    const int32_t *e;
-    int a; /* partner; bodies: PM_NONE for all, nbody for the ground */
-} pm_measure_args;
 
 typedef double pm_scalar(const pm_measure_args *x);
 typedef void pm_vector(const pm_measure_args *x, double out[2]);

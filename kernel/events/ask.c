@@ -61,10 +61,10 @@ int pm_ask_create(pm_workspace *w)
         if (watches) a->observer[a->nobserver++] = i;
         if (watches) {
             note_switches(w, i);
-            pm_watched_samples_add(w->model, w->watched, pm_ask_program(e), PM_SAMPLE_ASKS);
+            pm_watched_samples_add(w, pm_ask_program(e), PM_SAMPLE_ASKS);
         }
         if (pm_model_ask_is_integral(e) && e[PM_ASK_PROGRAM_2] >= 0)
-            pm_watched_samples_add(w->model, w->watched, e[PM_ASK_PROGRAM_2], PM_SAMPLE_ASKS);
+            pm_watched_samples_add(w, e[PM_ASK_PROGRAM_2], PM_SAMPLE_ASKS);
         for (int k = 0; k < 2; k++) {
             const int program = e[k ? PM_ASK_PROGRAM_2 : PM_ASK_PROGRAM];
             const int level = program >= 0 ? w->model->programs.level[program] : PM_LEVEL_NONE;

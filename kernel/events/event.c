@@ -74,7 +74,7 @@ int pm_event_create(pm_workspace *w)
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *x = PM_TRIGGER_ROW(m, i);
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
-            pm_watched_samples_add(w->model, w->watched, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
+            pm_watched_samples_add(w, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
     return pm_bounce_series_create(w);
 }

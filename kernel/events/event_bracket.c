@@ -344,10 +344,13 @@ static int search_between(pm_workspace *w, int i, const pm_event_course *of, int
 {
     const double *place = w->event->place, *g = of->g;
     pm_event_function *f = &w->event->function[i];
+    const int one_side = g[k] * g[k + 1] > 0;
     double where, value;
-    *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
-    if (first_within(w, i, of, x)) return 1;
-    const int after = g[k] * g[k + 1] > 0 ? through_and_back(w, i, of, k, &where, &value) : 0;
+    if (of->bounded || !one_side) {
+        *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
+        if (first_within(w, i, of, x)) return 1;
+    }
+    const int after = one_side ? through_and_back(w, i, of, k, &where, &value) : 0;
     if (!after) return 0;
     *x = (pm_span){place[k], place[after], g[k], g[after]};
     if (of->bounded && pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;

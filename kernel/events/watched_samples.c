@@ -4,27 +4,28 @@
  * is run for all nodes together. */
 #include "events/watched_samples.h"
 
-#include "elements/measure.h"
 #include "expression/program.h"
 #include "expression/program_fold.h"
 #include "state/arena.h"
 #include "state/workspace.h"
 
-static void add_measure(pm_watched_samples *s, int measure, int who)
+static void add_measure(pm_workspace *w, int measure, int who)
 {
+    pm_watched_samples *s = w->watched;
     int i = 0;
     while (i < s->n && s->measure[i] != measure) i++;
     if (i == s->n) s->n++;
     s->measure[i] = measure;
+    s->reader[i] = pm_measure_reader_of(w, measure);
     s->place[measure] = i;
     s->who[i] |= (unsigned char)who;
 }
 
-void pm_watched_samples_add(const pm_model *model, pm_watched_samples *watched, int program, int who)
+void pm_watched_samples_add(pm_workspace *w, int program, int who)
 {
-    const pm_program_fold *f = model->programs.fold;
+    const pm_program_fold *f = w->model->programs.fold;
     for (int k = f->first[program]; k < f->first[program + 1]; k++)
-        if (f->step[k].kind == STEP_MEASURE) add_measure(watched, f->step[k].arg, who);
+        if (f->step[k].kind == STEP_MEASURE) add_measure(w, f->step[k].arg, who);
 }
 
 int pm_watched_samples_create(pm_workspace *w)
@@ -35,6 +36,7 @@ int pm_watched_samples_create(pm_workspace *w)
     pm_watched_samples *s = w->watched;
     const pm_array array[] = {
         PM_ARRAY(s->measure, n),
+        PM_ARRAY(s->reader, n),
         PM_ARRAY(s->place, n),
         PM_ARRAY(s->who, n),
         PM_ARRAY(s->value, n * PM_NODES_MOST),
@@ -45,9 +47,10 @@ int pm_watched_samples_create(pm_workspace *w)
 
 void pm_watched_samples_read(pm_workspace *w, int node, int who)
 {
-    pm_watched_samples *s = w->watched;
-    for (int i = 0; i < s->n; i++)
-        if (s->who[i] & who) s->value[i * PM_NODES_MOST + node] = pm_measure_signed(w, s->measure[i]);
+    const pm_watched_samples *s = w->watched;
+    double *value = s->value + node;
+    for (const pm_measure_reader *x = s->reader, *end = x + s->n; x < end; x++, value += PM_NODES_MOST)
+        if (s->who[x - s->reader] & who) *value = pm_measure_read(x);
 }
 
 void pm_watched_samples_run(pm_workspace *w, int program, pm_switches *switches, double *value)
@@ -61,9 +64,11 @@ double pm_watched_samples_here(pm_workspace *w, int program, pm_switches *switch
     const pm_watched_samples *s = w->watched;
     const pm_program_fold *f = w->model->programs.fold;
     double value;
-    for (int k = f->first[program]; k < f->first[program + 1]; k++)
-        if (f->step[k].kind == STEP_MEASURE)
-            s->here[s->place[f->step[k].arg] * PM_NODES_MOST] = pm_measure_signed(w, f->step[k].arg);
+    for (int k = f->first[program]; k < f->first[program + 1]; k++) {
+        if (f->step[k].kind != STEP_MEASURE) continue;
+        const int i = s->place[f->step[k].arg];
+        s->here[i * PM_NODES_MOST] = pm_measure_read(&s->reader[i]);
+    }
     pm_program_run_nodes(w, program, 1, s->place, s->here, switches, &value);
     return value;
 }

@@ -120,18 +120,13 @@ static int kind_of(const pm_model *m, int measure) { return PM_MEASURE_ROW(m, me
 
 static int has_greatest(const pm_model *m, int measure) { return greatest[kind_of(m, measure)] != NULL; }
 
-enum {
-    AS_THEY_ARE,
-    ALIKE,
-    UNLIKE,
-    PATTERNS
-}; /* the quantities of a program: where one cancels the other adds up */
+enum { ALIKE, UNLIKE, PATTERNS }; /* the quantities of a program: where one cancels the other adds up */
 
 /* Part of its size by which a quantity is shifted: no two are alike, however near to each other they stand in the table. */
 static double part_of(int pattern, int measure)
 {
     const double turn = 0.6180339887498949 * measure; /* golden section: their differences keep far from 0 */
-    return pattern == AS_THEY_ARE ? 0 : pattern == ALIKE ? 1 : 2 * (turn - floor(turn)) - 1;
+    return pattern == ALIKE ? 1 : 2 * (turn - floor(turn)) - 1;
 }
 
 static double read_shifted(pm_workspace *w, int measure)
@@ -147,16 +142,14 @@ static double run_shifted(pm_workspace *w, int ask, int pattern)
     return pm_program_run(w, PM_ASK_ROW(w->model, ask)[PM_ASK_PROGRAM]);
 }
 
-/* The frame looks at the state. */
-static void find_terms(pm_workspace *w, const pm_natural_size *x)
+/* The frame looks at the state, where the asks have these values. */
+static void find_terms(pm_workspace *w, const pm_natural_size *x, const double *ask)
 {
     double (*const read)(pm_workspace * w, int measure) = w->read_measure;
     w->read_measure = read_shifted;
     for (int i = 0; i < w->model->nask; i++) {
-        if (!x->shifts[i]) continue;
-        const double value = run_shifted(w, i, AS_THEY_ARE);
-        for (int k = ALIKE; k < PATTERNS; k++)
-            x->terms[i] = fmax(size_of(run_shifted(w, i, k), value, PM_SHIFT), x->terms[i]);
+        for (int k = ALIKE; x->shifts[i] && k < PATTERNS; k++)
+            x->terms[i] = pm_max(size_of(run_shifted(w, i, k), ask[i], PM_SHIFT), x->terms[i]);
     }
     w->read_measure = read;
 }
@@ -177,7 +170,7 @@ static void add_derived(pm_workspace *w, pm_natural_size *x)
         const int32_t *e = PM_ASK_ROW(w->model, i);
         if (e[PM_ASK_KIND] == PM_ASK_END && pm_derived_is(w->model, e[PM_ASK_PROGRAM]))
             x->terms[i] += pm_derived_terms(w, e[PM_ASK_PROGRAM], x->largest);
-        x->largest[i] = fmax(x->ask[i], x->terms[i]);
+        x->largest[i] = pm_max(x->ask[i], x->terms[i]);
     }
 }
 
@@ -214,7 +207,7 @@ void pm_natural_size_find(pm_workspace *w, pm_natural_size *x, double *ask, doub
     memset(x->terms, 0, (size_t)nask * sizeof(double));
     memset(x->trigger, 0, (size_t)ntrigger * sizeof(double));
     if (look_at_programs(w, x->level, &w->state, ask, trigger)) return;
-    find_terms(w, x);
+    find_terms(w, x, ask);
     const double part = pm_case_shift(w, &w->probe);
     if (look_at_programs(w, x->level, &w->probe, x->ask, x->trigger)) return;
     for (int i = 0; i < nask; i++) x->ask[i] = size_of(x->ask[i], ask[i], part);

@@ -164,20 +164,29 @@ static void set_reversal(pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++) w->step.reversed[i] = rate * x->tangent[i];
 }
 
-/* The node at x, or p->spare.  Nodes are mostly looked at in their order. */
+/* The last node not after x.  Nodes are mostly looked at in their order. */
+static int node_before(const pm_path *p, double x)
+{
+    const double *at = p->nodes->at;
+    const int next = p->looked_at + 1;
+    if (next < p->nodes->n && x == p->h * at[next]) return next;
+    int low = 0, high = p->nodes->n;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        *(x < p->h * at[middle] ? &high : &low) = middle;
+    }
+    return low;
+}
+
+/* The node at x, or p->spare. */
 static int place_at(pm_workspace *w, double x, const pm_place **place)
 {
     pm_path *p = w->path;
-    const int n = p->nodes->n;
-    for (int i = 0, k = p->looked_at; i < n; i++) {
-        k = k + 1 < n ? k + 1 : 0;
-        if (x != p->h * p->nodes->at[k]) continue;
-        p->looked_at = k;
-        *place = pm_path_node(p, k);
-        return PM_OK;
-    }
-    *place = &p->spare;
-    return pm_path_inside(w, x / p->h);
+    const int k = node_before(p, x);
+    const int is_node = x == p->h * p->nodes->at[k];
+    if (is_node) p->looked_at = k;
+    *place = is_node ? pm_path_node(p, k) : &p->spare;
+    return is_node ? PM_OK : pm_path_inside(w, x / p->h);
 }
 
 static int at(pm_workspace *w, double x, pm_state *state)
