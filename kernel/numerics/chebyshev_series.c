@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "numerics/lanes.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 
@@ -13,7 +14,7 @@
 static void transform(const pm_chebyshev_nodes *nodes, const double *sample, double *c)
 {
     const int last = nodes->n - 1, half = last / 2;
-    const int turn = 2 * PM_NODES_CLOCK - 2, whole = turn / 2 / last;
+    const int turn = 2 * PM_NODES_CLOCK - 2, whole = turn / 2 / last; /* a power of two */
     double pair[2][PM_NODES_MOST / 2 + 1];
     for (int m = 0; m < half; m++) {
         pair[0][m] = sample[last - m] + sample[m];
@@ -25,8 +26,7 @@ static void transform(const pm_chebyshev_nodes *nodes, const double *sample, dou
         const double *f = pair[j % 2];
         double sum = 0.5 * f[0];
         for (int m = 1, at = 0; m <= half; m++) {
-            at += j * whole;
-            if (at >= turn) at -= turn;
+            at = (at + j * whole) & (turn - 1);
             sum += f[m] * pm_chebyshev_nodes_cosine[at];
         }
         c[j] = sum * (j == 0 || j == last ? 1.0 : 2.0) / last;
@@ -55,8 +55,13 @@ static const double *at_nodes(const pm_chebyshev_nodes *nodes, const double *sam
 /* The series of the derivative by s. */
 static void derive(int n, const double *c, double *d)
 {
+    double after = 0, further = 0;
     d[n - 1] = 0;
-    for (int j = n - 1; j > 0; j--) d[j - 1] = (j + 1 < n ? d[j + 1] : 0) + 4.0 * j * c[j];
+    for (int j = n - 1; j > 0; j--) {
+        d[j - 1] = further + 4.0 * j * c[j];
+        further = after;
+        after = d[j - 1];
+    }
     d[0] *= 0.5;
 }
 
@@ -98,17 +103,16 @@ void pm_chebyshev_series_cut(pm_chebyshev_series *x, double part)
     derive_all(x);
 }
 
-/* Clenshaw's recurrence. */
-static double sum_up(int n, const double *c, double s)
+/* Clenshaw's recurrence at two places, for two series; the number of coefficients is odd. */
+static pm_lanes sum_up(int n, const double *one, const double *other, pm_lanes s)
 {
-    const double x = 2 * s - 1;
-    double b = 0, after = 0;
-    for (int j = n - 1; j > 0; j--) {
-        const double next = 2 * x * b - after + c[j];
-        after = b;
-        b = next;
+    const pm_lanes x = 2.0 * s - 1.0;
+    pm_lanes b = {0, 0}, after = b;
+    for (int j = n - 1; j > 0; j -= 2) {
+        after = 2.0 * x * b - after + (pm_lanes){one[j], other[j]};
+        b = 2.0 * x * after - b + (pm_lanes){one[j - 1], other[j - 1]};
     }
-    return x * b - after + c[0];
+    return x * b - after + (pm_lanes){one[0], other[0]};
 }
 
 static pm_interval about(double middle, double by) { return (pm_interval){middle - by, middle + by}; }
@@ -116,10 +120,12 @@ static pm_interval about(double middle, double by) { return (pm_interval){middle
 pm_chebyshev_part pm_chebyshev_series_over(const pm_chebyshev_series *x, double from, double to)
 {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-    pm_chebyshev_part part = {
-        .at = {sum_up(x->n, x->value, from), sum_up(x->n, x->value, middle), sum_up(x->n, x->value, to)}};
-    part.bend = about(sum_up(x->n, x->bend, middle), half * x->third);
-    part.rate = about(sum_up(x->n, x->rate, middle), half * pm_interval_size(part.bend));
+    const pm_lanes ends = sum_up(x->n, x->value, x->value, (pm_lanes){from, to}),
+                   first = sum_up(x->n, x->value, x->rate, (pm_lanes){middle, middle}),
+                   second = sum_up(x->n, x->bend, x->bend, (pm_lanes){middle, middle});
+    pm_chebyshev_part part = {.at = {ends[0], first[0], ends[1]}};
+    part.bend = about(second[0], half * x->third);
+    part.rate = about(first[1], half * pm_interval_size(part.bend));
     part.value = about(part.at[1], half * pm_interval_size(part.rate) + PM_SERIES_ROUNDING * x->size);
     return part;
 }
