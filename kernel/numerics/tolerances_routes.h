@@ -55,7 +55,7 @@
 #define PM_REPEAT_RESTS 4 /* places of rest that the first is compared with, and twice as many each time that none was the same; more: slower */
 #define PM_MOST_REPEATS 100000000 /* segments that are passed over at once; more would not be distinguished */
 #define PM_REPEAT_SAME_ENERGY 1e-13 /* of T: a lap without gain or loss; more: slow losses are left out */
-#define PM_REPEAT_SAME_STEP 1e-16 /* of T: from one segment to the next it does not change in its last digit; more: series end early */
+#define PM_REPEAT_ALIKE 1e-8 /* of T, taken by the blows of all segments: their roundings add up as if none took anything; less: by rounding */
 #define PM_REPEAT_BARRIER 1e-6 /* of the segment's energies: so near to the barrier it is computed; more: fewer are passed over */
 #define PM_REPEAT_WHOLE 1e-9 /* of a multiple: a whole number of them; more: marks shift */
 #define PM_REPEAT_SAME_PLACE 1e-11 /* of the scene's reach: the same configuration; more: places drift along a pattern */

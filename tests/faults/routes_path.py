@@ -246,6 +246,24 @@ FAULTS = [
         "c.is_last = 0 && !is_over(",
     ),
     Fault(
+        "segment: the one that is not sure is passed over",
+        "routes/path/repeat_energy.c",
+        "(isnan(b->unsure) ||",
+        "(1 ||",
+    ),
+    Fault(
+        "segment: blows take what they do not",
+        "routes/path/repeat_energy.c",
+        "((double)c.n - x.sum) * l->work",
+        "((double)c.n + x.sum) * l->work",
+    ),
+    Fault(
+        "segment: roundings of the work are left out",
+        "routes/path/repeat_energy.c",
+        "+ weighted(m, n, &x) * l->work",
+        "+ 0 * weighted(m, n, &x) * l->work",
+    ),
+    Fault(
         "segment: the end within the last segment",
         "routes/path/repeat_limit.c",
         "(double)(lacks / each - 1)",

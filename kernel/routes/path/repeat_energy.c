@@ -91,13 +91,20 @@ static int64_t sure_of(const pm_repeat *l, const pm_bound *b, int64_t most)
     return low;
 }
 
-/* `error` of T, carried on by n segments, and their roundings: sum of m^(n-1-k) (T_end + T_next), of which none is greater than the
- * first or the last. */
-static double error_after(const pm_repeat *l, const pm_repeats *c, double begin, double error)
+/* 1 + 2 m + ... + n m^(n-1) */
+static double weighted(double m, double n, const pm_powers *x)
 {
-    const pm_powers x = powers(l->ratio, c->n);
-    const double end = fmax(begin + l->work, c->kinetic / l->ratio);
-    return (1 + x.rise) * error + PM_ENERGY_ROUNDINGS * (1 + l->ratio) * end * x.sum / l->ratio;
+    if (n * fabs(1 - m) < PM_REPEAT_ALIKE) return n * (n + 1) / 2;
+    return (x->rise / (m - 1) - n * (1 + x->rise)) / (1 - m);
+}
+
+/* `error` of T, carried on by n segments, with their roundings: the sum of m^(n-1-k) (T_end + T_next). */
+static double error_after(const pm_repeat *l, double begin, int64_t segments, double error)
+{
+    const pm_powers x = powers(l->ratio, segments);
+    const double m = l->ratio, n = (double)segments, last = n * (1 + x.rise) / m;
+    return (1 + x.rise) * error +
+           PM_ENERGY_ROUNDINGS * (1 + m) * (last * begin + weighted(m, n, &x) * l->work);
 }
 
 pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
@@ -111,7 +118,7 @@ pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64
     const pm_powers x = powers(l->ratio, c.n);
     c.kinetic = kinetic_after(l, begin, c.n);
     c.lost = ((double)c.n - x.sum) * l->work - x.rise * begin;
-    c.error = error_after(l, &c, begin, error);
+    c.error = error_after(l, begin, c.n, error);
     c.is_last = c.n < most && !is_over(&bound, kinetic_after(l, begin, c.n + 1));
     return c;
 }
