@@ -2,6 +2,7 @@
 #ifndef PM_MEASURE_H
 #define PM_MEASURE_H
 
+#include "elements/measure_kinds.h"
 #include "state/workspace.h"
 
 enum pm_measure_flag {
@@ -11,15 +12,6 @@ enum pm_measure_flag {
     PM_MEASURE_STARTS_POSITION = 8, /* may be written in the start table */
     PM_MEASURE_STARTS_VELOCITY = 16
 };
-
-struct pm_slope; /* slope.h */
-
-/* One measure. */
-typedef struct pm_measure_args {
-    pm_workspace *w;
-    const int32_t *e; /* its row */
-    int a;            /* partner; bodies: PM_NONE for all, nbody for the ground */
-} pm_measure_args;
 
 /* One kind: what it is of, what is known of it before it is measured (expression/program_class.h), how it is read off. */
 typedef struct pm_measure_ops {

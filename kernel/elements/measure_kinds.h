@@ -4,10 +4,16 @@
 
 #include <math.h>
 
-#include "elements/measure.h"
 #include "elements/slope.h"
 #include "state/frame.h"
 #include "state/workspace.h"
+
+/* One measure. */
+typedef struct pm_measure_args {
+    pm_workspace *w;
+    const int32_t *e; /* its row */
+    int a;            /* partner; bodies: PM_NONE for all, nbody for the ground */
+} pm_measure_args;
 
 typedef double pm_scalar(const pm_measure_args *x);
 typedef void pm_vector(const pm_measure_args *x, double out[2]);

@@ -349,7 +349,7 @@ FAULTS = [
     Fault(
         "event: no bound tells of a dip through zero",
         "events/event_bracket.c",
-        "return ((shown || may_reach(of, x)) &&",
+        "return (of->bounded && (shown || may_reach(of, x)) &&",
         "return (0 &&",
     ),
 ]

@@ -92,8 +92,8 @@ FAULTS = [
     Fault(
         "meeting: between two nodes points are nearest once",
         "events/event_bound.c",
-        "case FUNCTION_MEETING: case FUNCTION_STRAND: return take_series(x, g);",
-        "case FUNCTION_MEETING: return 0; case FUNCTION_STRAND: return take_series(x, g);",
+        "return f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND",
+        "return f->kind == FUNCTION_STRAND",
     ),
     Fault(
         "meeting: few nodes tell how often points are nearest",
@@ -116,13 +116,13 @@ FAULTS = [
     Fault(
         "bound: what both ends show is the first zero",
         "events/event_bracket.c",
-        "return ((shown || may_reach(of, x)) &&",
-        "return ((!shown && may_reach(of, x)) &&",
+        "return (of->bounded && (shown || may_reach(of, x)) &&",
+        "return (of->bounded && (!shown && may_reach(of, x)) &&",
     ),
     Fault(
         "bound: zeros in a dip of three nodes are one",
         "events/event_bracket.c",
-        "if (pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;",
+        "if (of->bounded && pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;",
         "",
     ),
     Fault(
@@ -130,6 +130,12 @@ FAULTS = [
         "events/event_bracket.c",
         "return x->n >= PM_NODES &&",
         "return",
+    ),
+    Fault(
+        "search: what is on one side of zero is far from it",
+        "events/event_bracket.c",
+        "return PM_DIP_FAR * pm_max(of->biggest,",
+        "return 0 * pm_max(of->biggest,",
     ),
     Fault(
         "bound: three nodes tell that no dip is deeper",
