@@ -328,7 +328,7 @@ int pm_case_begin(pm_workspace *w, const double *param)
     if (status) return status;
     pm_joint_compose(&w->frame);
     pm_contact_compose(&w->frame);
-    pm_program_numbers(w);
+    pm_case_values_fold(w);
     set_size(&w->frame, &w->numbers);
     w->numbers.speed = 0;
     return set_stand_ins(w);

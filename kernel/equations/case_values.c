@@ -1,13 +1,14 @@
 /* case_values.c - parameters -> values, and the bounds that each number must keep, with their places.
  *
  * Most values of a scene depend on no parameter: they are worked out and checked in the first case of a workspace, and from
- * then on only those that some parameter reaches. */
+ * then on only those that some parameter reaches.  So are the numbers of programs (program_fold.h). */
 #include "equations/case_values.h"
 
 #include <math.h>
 
 #include "expression/operation.h"
 #include "expression/program.h"
+#include "expression/program_fold.h"
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
 #include "state/arena.h"
@@ -59,6 +60,9 @@ typedef struct pm_case_plan {
     int *varied;              /* [nvalue] these values, each after those that it reads */
     unsigned char *is_varied; /* [nvalue] */
     pm_bounded *bounded;      /* [numbers of rows with bounds] */
+    int folded;               /* the numbers of programs that no parameter reaches are there */
+    int nrefolded;            /* how many a parameter may reach */
+    int *refolded;            /* [numbers of programs] these */
 } pm_case_plan;
 
 enum { BOUNDS = sizeof bounds / sizeof *bounds };
@@ -73,11 +77,23 @@ static int program_of(const pm_model *m, int value)
     return m->table[PM_TABLE_VALUE][value * PM_VALUE_COLUMNS + PM_VALUE_PROGRAM];
 }
 
-static int is_reached(const pm_model *m, const pm_case_plan *plan, int program)
+/* A part of a program; masses and the weight may go with any parameter. */
+static int is_reached(const pm_case_plan *plan, pm_program_walk x)
 {
-    for (pm_program_walk x = pm_program_walk_begin(m, program); pm_program_walk_next(&x);)
-        if (x.op == PM_OP_PARAMETER || (x.op == PM_OP_VALUE && plan->is_varied[x.arg])) return 1;
+    while (pm_program_walk_next(&x))
+        if (x.op == PM_OP_PARAMETER || x.op == PM_OP_MEASURE ||
+            (x.op == PM_OP_VALUE && plan->is_varied[x.arg]))
+            return 1;
     return 0;
+}
+
+static void find_refolded(const pm_model *m, pm_case_plan *x)
+{
+    for (int i = 0; i < m->programs.fold->nnumber; i++) {
+        const pm_program_part *part = &m->programs.fold->part[i];
+        if (is_reached(x, pm_program_walk_part(m, part->first, part->length)))
+            x->refolded[x->nrefolded++] = i;
+    }
 }
 
 int pm_case_values_create(pm_workspace *w)
@@ -88,13 +104,14 @@ int pm_case_values_create(pm_workspace *w)
     if (PM_ARENA_NEW(&w->memory, w->numbers.plan)) return PM_NO_MEMORY;
     pm_case_plan *x = w->numbers.plan;
     const pm_array array[] = {PM_ARRAY(x->varied, m->nvalue), PM_ARRAY(x->is_varied, m->nvalue),
-                              PM_ARRAY(x->bounded, rows)};
+                              PM_ARRAY(x->bounded, rows), PM_ARRAY(x->refolded, m->programs.fold->nnumber)};
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
     if (status) return status;
     for (int i = 0; i < m->nvalue; i++) {
-        x->is_varied[i] = (unsigned char)is_reached(m, x, program_of(m, i));
+        x->is_varied[i] = (unsigned char)is_reached(x, pm_program_walk_begin(m, program_of(m, i)));
         if (x->is_varied[i]) x->varied[x->nvaried++] = i;
     }
+    find_refolded(m, x);
     for (int k = 0; k < BOUNDS; k++)
         for (int i = 0; i < m->rows[bounds[k].table]; i++) {
             const int32_t value = *entry_of(m, &bounds[k], i);
@@ -122,6 +139,14 @@ int pm_case_values(pm_workspace *w, const double *param)
     else
         for (int i = 0; i < w->model->nvalue; i++) run(w, i);
     return PM_OK;
+}
+
+void pm_case_values_fold(pm_workspace *w)
+{
+    pm_case_plan *x = w->numbers.plan;
+    const int all = !x->folded, n = all ? w->model->programs.fold->nnumber : x->nrefolded;
+    for (int i = 0; i < n; i++) pm_program_fold_number(w, all ? i : x->refolded[i]);
+    x->folded = w->numbers.is_folded = 1;
 }
 
 static int check(pm_workspace *w, const pm_bounds *x, int row)

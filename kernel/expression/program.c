@@ -117,15 +117,11 @@ double pm_program_value(const pm_model *m, int index, const double *param, const
     return run_code(pm_program_walk_begin(m, index), param, value, NULL);
 }
 
-void pm_program_numbers(pm_workspace *w)
+void pm_program_fold_number(pm_workspace *w, int i)
 {
-    const pm_model *m = w->model;
-    for (int i = 0; i < m->programs.fold->nnumber; i++) {
-        const pm_program_part *x = &m->programs.fold->part[i];
-        w->numbers.folded[i] =
-            run_code(pm_program_walk_part(m, x->first, x->length), w->numbers.param, w->numbers.value, w);
-    }
-    w->numbers.is_folded = 1;
+    const pm_program_part *x = &w->model->programs.fold->part[i];
+    w->numbers.folded[i] =
+        run_code(pm_program_walk_part(w->model, x->first, x->length), w->numbers.param, w->numbers.value, w);
 }
 
 static int is_of_find(const pm_model *m, int program)

@@ -37,9 +37,8 @@ int pm_program_only_dips(const pm_model *m, int index, int greatest);
 void pm_program_run_nodes(pm_workspace *w, int index, int n, const int *place, const double *measured,
                           pm_switches *switches, double *value);
 
-/* Works out what stays the same in the case that has begun: its masses and its weight are known.  From here on all programs
- * of the workspace are run by these numbers, until pm_case_values is told of other parameters. */
-void pm_program_numbers(pm_workspace *w);
+/* Works out number i of those that stay the same in the case that has begun (program_fold.h): its masses and its weight are known. */
+void pm_program_fold_number(pm_workspace *w, int i);
 
 /* A program that reads no measure but the time, at the time t, and its first and second derivative by the time. */
 double pm_program_of_time(const pm_model *m, int index, const double *param, const double *value, double t,
