@@ -185,8 +185,14 @@ FAULTS = [
     Fault(
         "case: values that read values stay as they were",
         "equations/case_values.c",
-        "x.op == PM_OP_PARAMETER || (x.op == PM_OP_VALUE && plan->is_varied[x.arg])",
-        "x.op == PM_OP_PARAMETER",
+        "(x.op == PM_OP_VALUE && plan->is_varied[x.arg])",
+        "x.op == 77",
+    ),
+    Fault(
+        "case: numbers of programs stay those of the first case",
+        "equations/case_values.c",
+        "x->refolded[x->nrefolded++] = i",
+        "x->refolded[0] = i",
     ),
     Fault(
         "case: constants are checked once",
