@@ -202,6 +202,12 @@ FAULTS = [
         "+ is_exact(x);",
     ),
     Fault(
+        "problem: pivots tell how well equations are solved, by the order of the contacts",
+        "impact/contact_problem.c",
+        "most = fmax(most, sum[k]);",
+        "most = fmax(most, 1 / fabs(x->system[k * (m + 1)]));",
+    ),
+    Fault(
         "problem: what hardly slips sticks",
         "impact/contact_problem.c",
         "sense(x->trial[i]) && is_exact(x) ? rounding(x) : tie",
