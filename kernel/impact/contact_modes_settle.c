@@ -148,6 +148,16 @@ static int stand_now(pm_workspace *w)
     return !pm_contact_modes_accelerate(w) && stands(w, force_size(&w->frame, &w->active));
 }
 
+/* A contact whose normal the others all but hold is open by rounding: to close it the projection has gone to another place, where it
+ * would be closed.  Modes that stand there do not stand here. */
+static int is_put_elsewhere(const pm_workspace *w)
+{
+    double most = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        most = fmax(most, fabs(w->state.q[i] - w->instant.place[i]) * (i % 3 == 2 ? w->numbers.size : 1));
+    return most > PM_PUT_ELSEWHERE * w->numbers.size;
+}
+
 /* Next to such a position what sticks is held so nearly by the joints that their reactions are none which contacts could give,
  * though the accelerations of free bodies ask for these modes.  Up to so many slips, from this slot on, go on the other way:
  * 1 where all stand then. */
@@ -186,7 +196,8 @@ static int let_few_go_from(pm_workspace *w, int from, int most, pm_few_slots *fe
         w->instant.slot_released[i] = 0;
         few->slot[few->n++] = i;
         const int stand =
-            most > 1 ? let_few_go_from(w, i + 1, most - 1, few) : stand_now(w) && !few_approach(w, few);
+            most > 1 ? let_few_go_from(w, i + 1, most - 1, few)
+                     : stand_now(w) && !is_put_elsewhere(w) && !few_approach(w, few);
         few->n--;
         w->instant.slot_released[i] = stand ? PM_LET_GO : released;
         if (stand) return 1;
@@ -344,9 +355,10 @@ int pm_contact_modes_settle(pm_workspace *w)
         int status = pm_contact_modes_accelerate(w);
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
-        const int by_rounding = !status && !w->phase.kinematic && is_solved_by_rounding(w);
-        if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, 1);
-        if (by_rounding) status = pm_contact_modes_accelerate(w);
+        const int in_doubt =
+            !status && !w->phase.kinematic && (is_solved_by_rounding(w) || is_put_elsewhere(w));
+        if ((status == PM_SINGULAR || in_doubt) && let_few_go(w)) return settled(w, 1);
+        if (in_doubt) status = pm_contact_modes_accelerate(w);
         if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w))
             status = pm_contact_modes_accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;
