@@ -149,13 +149,15 @@ static int stand_now(pm_workspace *w)
 }
 
 /* A contact whose normal the others all but hold is open by rounding: to close it the projection has gone to another place, where it
- * would be closed.  Modes that stand there do not stand here. */
+ * would be closed, or there is none near.  Modes that stand there do not stand here. */
 static int is_put_elsewhere(const pm_workspace *w)
 {
     double most = 0;
     for (int i = 0; i < w->model->nq; i++)
         most = fmax(most, fabs(w->state.q[i] - w->instant.place[i]) * (i % 3 == 2 ? w->numbers.size : 1));
-    return most > PM_PUT_ELSEWHERE * w->numbers.size;
+    double open = 0;
+    for (int i = 0; i < w->active.n; i++) open = fmax(open, fabs(w->active.constraint[i].g));
+    return most > PM_PUT_ELSEWHERE * w->numbers.size || open > PM_STAYS_OPEN * w->numbers.size;
 }
 
 /* Next to such a position what sticks is held so nearly by the joints that their reactions are none which contacts could give,

@@ -12,6 +12,7 @@
 #define PM_LET_GO_FEW 2 /* contacts that are let go at once where they depend on others for an instant; more: slower, fewer: such runs end singular */
 #define PM_NEAR_BESIDE 1e-8 /* of the scene's size: what stands open by less counts as closed where several motions are allowed without it; larger: feet hold that are in the air */
 #define PM_PUT_ELSEWHERE 1e-7 /* of the scene's size: so far no rounding of gaps moves bodies; larger: energy is lost, smaller: contacts that close from a distance are let go */
+#define PM_STAYS_OPEN 1e-12 /* likewise: so much no projection that ends leaves open; larger: likewise, smaller: rounding far from the origin is taken for it */
 #define PM_APART_IN_TIME 1e-6 /* of the natural acceleration: towards each other no more, where others hold a pair to the first order; larger: contacts that press are let go */
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
