@@ -197,9 +197,8 @@ static int let_few_go_from(pm_workspace *w, int from, int most, pm_few_slots *fe
         s->mode = PM_OPEN;
         w->instant.slot_released[i] = 0;
         few->slot[few->n++] = i;
-        const int stand =
-            most > 1 ? let_few_go_from(w, i + 1, most - 1, few)
-                     : stand_now(w) && !is_put_elsewhere(w) && !few_approach(w, few);
+        const int stand = most > 1 ? let_few_go_from(w, i + 1, most - 1, few)
+                                   : stand_now(w) && !is_put_elsewhere(w) && !few_approach(w, few);
         few->n--;
         w->instant.slot_released[i] = stand ? PM_LET_GO : released;
         if (stand) return 1;

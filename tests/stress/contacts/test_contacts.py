@@ -43,7 +43,7 @@ def test_several_motions_are_counted_whatever_the_order(seed: int) -> None:
             439,
             False,
             "not unique",
-        ),  # equations near a lock: the order told how well they are solved
+        ),  # next to a lock: the order decided
         (
             "poisson",
             4,
@@ -51,7 +51,7 @@ def test_several_motions_are_counted_whatever_the_order(seed: int) -> None:
             486,
             True,
             "no motion",
-        ),  # parts by 4e-10 of the blow before it would be needed
+        ),  # parts by 4e-10 before it is needed
         ("newton", 3, 20014, 14, True, "no motion"),  # what comes nearest lets a contact approach by 6e-8
         ("poisson", 4, 20030, 121, True, "not unique"),  # motions that differ by 1e-5
         ("stronge", 2, 20021, 363, True, "right"),  # slips on at a speed of 6e-7 of the blow
