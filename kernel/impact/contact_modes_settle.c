@@ -85,16 +85,25 @@ static int is_solved_by_rounding(const pm_workspace *w)
 
 static int are_in_doubt(const pm_workspace *w) { return is_solved_by_rounding(w) || is_put_elsewhere(w); }
 
+static uint32_t modes_of(const pm_workspace *w)
+{
+    uint32_t modes = 1;
+    for (int i = 0; i < w->model->nslot; i++) modes = 31 * modes + (uint32_t)w->state.slot[i].mode;
+    return modes;
+}
+
 /* Nothing pulls, holds by more than its friction, or was let go and would approach.  Loads in doubt are no evidence of it: which modes
  * stand in the end does not hang on their signs. */
 static int stands(pm_workspace *w, double size)
 {
     const int active = w->evidence.active;
     w->evidence.active = active && !are_in_doubt(w);
+    pm_evidence_try(&w->evidence, modes_of(w));
     const int stand = shared_stand(w, size) &&
                       pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
                       pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE &&
                       !approaches(w);
+    pm_evidence_try(&w->evidence, 0);
     w->evidence.active = active;
     return stand;
 }
