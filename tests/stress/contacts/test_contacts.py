@@ -98,6 +98,18 @@ def test_throws_that_did_not_go_on(number: int) -> None:
     assert thrown.become(number).word in ("ok", "undecided")
 
 
+@pytest.mark.parametrize(
+    "number",
+    [
+        930508,  # loads of 1e9 N, of either sign, where corners hold each other
+        931104,
+        931258,  # stuck in one pass, slipping in the other, as a series of blows ends: then both stick
+    ],
+)
+def test_what_no_motion_hangs_on_leaves_no_run_undecided(number: int) -> None:
+    assert thrown.become(number).word == "ok"
+
+
 def _problem() -> Problem:
     """A block that falls flat on two feet."""
     feet = np.array([[[0, 1, -0.5], [1, 0, 0.3]], [[0, 1, 0.5], [1, 0, 0.3]]])
