@@ -60,12 +60,52 @@ static int shared_stand(pm_workspace *w, double size)
     return stand;
 }
 
-/* Nothing pulls, holds by more than its friction, or was let go and would approach. */
+/* A contact whose normal the others all but hold is open by rounding: to close it the projection has gone to another place, where it
+ * would be closed, or there is none near.  Modes that stand there do not stand here. */
+static int is_put_elsewhere(const pm_workspace *w)
+{
+    double most = 0;
+    for (int i = 0; i < w->model->nq; i++)
+        most = fmax(most, fabs(w->state.q[i] - w->instant.place[i]) * (i % 3 == 2 ? w->numbers.size : 1));
+    double open = 0;
+    for (int i = 0; i < w->active.n; i++) open = fmax(open, fabs(w->active.constraint[i].g));
+    return most > PM_PUT_ELSEWHERE * w->numbers.size || open > PM_STAYS_OPEN * w->numbers.size;
+}
+
+/* Constraints of contacts that depend on each other here alone leave a singular system: with friction of what slides in it, rounding
+ * may solve it, and makes the loads. */
+static int is_solved_by_rounding(const pm_workspace *w)
+{
+    const pm_active_set *x = &w->active;
+    if (x->clear || !x->asymmetric) return 0;
+    for (int i = 0; i < x->n; i++)
+        if (x->doubtful[i] && x->constraint[i].slot != PM_NONE) return 1;
+    return 0;
+}
+
+static int are_in_doubt(const pm_workspace *w) { return is_solved_by_rounding(w) || is_put_elsewhere(w); }
+
+static uint32_t modes_of(const pm_workspace *w)
+{
+    uint32_t modes = 1;
+    for (int i = 0; i < w->model->nslot; i++) modes = 31 * modes + (uint32_t)w->state.slot[i].mode;
+    return modes;
+}
+
+/* Nothing pulls, holds by more than its friction, or was let go and would approach.  Loads in doubt are no evidence of it: which modes
+ * stand in the end does not hang on their signs. */
 static int stands(pm_workspace *w, double size)
 {
-    return shared_stand(w, size) &&
-           pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
-           pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE && !approaches(w);
+    const int active = w->evidence.active;
+    w->evidence.active = active && !are_in_doubt(w);
+    pm_evidence_try(&w->evidence, modes_of(w));
+    const int stand = shared_stand(w, size) &&
+                      pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
+                      pm_contact_modes_overcome(w, w->frame.lambda, PM_SITE_SLIDES, size) == PM_NONE &&
+                      !approaches(w);
+    pm_evidence_try(&w->evidence, 0);
+    w->evidence.active = active;
+    return stand;
 }
 
 int pm_contact_modes_accelerate(pm_workspace *w)
@@ -185,8 +225,8 @@ static int let_few_go_from(pm_workspace *w, int from, int most, pm_few_slots *fe
         s->mode = PM_OPEN;
         w->instant.slot_released[i] = 0;
         few->slot[few->n++] = i;
-        const int stand =
-            most > 1 ? let_few_go_from(w, i + 1, most - 1, few) : stand_now(w) && !few_approach(w, few);
+        const int stand = most > 1 ? let_few_go_from(w, i + 1, most - 1, few)
+                                   : stand_now(w) && !is_put_elsewhere(w) && !few_approach(w, few);
         few->n--;
         w->instant.slot_released[i] = stand ? PM_LET_GO : released;
         if (stand) return 1;
@@ -323,17 +363,6 @@ static int all_are_free(const pm_workspace *w)
     return 1;
 }
 
-/* Constraints of contacts that depend on each other here alone leave a singular system: with friction of what slides in it, rounding
- * may solve it, and makes the loads. */
-static int is_solved_by_rounding(const pm_workspace *w)
-{
-    const pm_active_set *x = &w->active;
-    if (x->clear || !x->asymmetric) return 0;
-    for (int i = 0; i < x->n; i++)
-        if (x->doubtful[i] && x->constraint[i].slot != PM_NONE) return 1;
-    return 0;
-}
-
 int pm_contact_modes_settle(pm_workspace *w)
 {
     const int most = 2 * (w->model->nfriction + w->model->nteeth) + PM_MODES_ROUNDS;
@@ -344,9 +373,9 @@ int pm_contact_modes_settle(pm_workspace *w)
         int status = pm_contact_modes_accelerate(w);
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
-        const int by_rounding = !status && !w->phase.kinematic && is_solved_by_rounding(w);
-        if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, 1);
-        if (by_rounding) status = pm_contact_modes_accelerate(w);
+        const int in_doubt = !status && !w->phase.kinematic && are_in_doubt(w);
+        if ((status == PM_SINGULAR || in_doubt) && let_few_go(w)) return settled(w, 1);
+        if (in_doubt) status = pm_contact_modes_accelerate(w);
         if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w))
             status = pm_contact_modes_accelerate(w);
         const int singular = status == PM_SINGULAR && changed && !w->phase.kinematic;

@@ -129,10 +129,9 @@ static int solve_trial(pm_contact_problem *x)
     int *unknown = x->basis;
     const int m = assemble(x, unknown);
     memset(x->p, 0, 2 * (size_t)x->n * sizeof *x->p);
-    x->least = 1;
+    x->equations = m;
     if (m > 0) {
         if (pm_dense_lu_factor(m, x->system, x->pivot)) return 0;
-        for (int k = 0; k < m; k++) x->least = fmin(x->least, fabs(x->system[k * (m + 1)]));
         pm_dense_lu_solve(m, x->system, x->pivot, x->right);
     }
     for (int k = 0; k < m; k++) {
@@ -174,20 +173,38 @@ int pm_contact_problem_loads_hold(pm_contact_problem *x)
     return x->missed <= slack(x);
 }
 
+/* 1 / |A^-1| of the equations of the trial, by their greatest row sum.  The least pivot may be many times as large in one order of the
+ * contacts, and not in another. */
+static double distance_from_singular(pm_contact_problem *x)
+{
+    const int m = x->equations;
+    double *column = x->right, *sum = x->right + m, most = 1;
+    memset(sum, 0, (size_t)m * sizeof *sum);
+    for (int c = 0; c < m; c++) {
+        for (int k = 0; k < m; k++) column[k] = k == c;
+        pm_dense_lu_solve(m, x->system, x->pivot, column);
+        for (int k = 0; k < m; k++) sum[k] += fabs(column[k]);
+    }
+    for (int k = 0; k < m; k++) most = fmax(most, sum[k]);
+    return 1 / most;
+}
+
 int pm_contact_problem_trial_holds(pm_contact_problem *x)
 {
-    return solve_trial(x) && pm_contact_problem_loads_hold(x);
+    if (!solve_trial(x) || !pm_contact_problem_loads_hold(x)) return 0;
+    x->distance = distance_from_singular(x);
+    return 1;
 }
 
 /* ---- what was found ---- */
 /* The equations of the trial are far from singular. */
-static int is_sound(const pm_contact_problem *x) { return x->least > PM_PROBLEM_SOUND; }
+static int is_sound(const pm_contact_problem *x) { return x->distance > PM_PROBLEM_SOUND; }
 
 /* What rounding makes of rates and loads, the more the nearer its equations are to singular; others may be as large as the tie
  * where contacts nearly lock. */
 static double rounding(const pm_contact_problem *x)
 {
-    const double tie = slack(x), solved = fmax(PM_PROBLEM_EXACT, PM_PROBLEM_SOLVED / x->least);
+    const double tie = slack(x), solved = fmax(PM_PROBLEM_EXACT, PM_PROBLEM_SOLVED / x->distance);
     return fmin(tie, fmax(solved / PM_PROBLEM_TIE * tie, x->rounded));
 }
 

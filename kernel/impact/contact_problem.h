@@ -41,9 +41,10 @@ typedef struct pm_contact_problem {
     /* scratch, in units of the problem's own */
     double *scaled, *scale, *b, *p, *a, *best, *system, *right, *lemke;
     int *trial, *pivot, *basis;
-    double rounded; /* the doubt, in these units */
-    double least;   /* pivot of the equations of the trial, at most 1 */
-    double missed;  /* by how much its loads miss what the laws ask for */
+    int equations;   /* of the trial */
+    double rounded;  /* the doubt, in these units */
+    double distance; /* of the equations of the trial from singular ones, at most 1 */
+    double missed;   /* by how much its loads miss what the laws ask for */
 } pm_contact_problem;
 
 /* Memory for `most` contacts, which the arena owns; PM_NO_MEMORY. */

@@ -97,7 +97,7 @@ static int holds(pm_contact_problem *x)
     memcpy(x->best, x->p, bytes);
     if (pm_contact_problem_trial_holds(x)) return 1;
     memcpy(x->p, x->best, bytes);
-    x->least = 1;
+    x->distance = 1;
     return pm_contact_problem_loads_hold(x); /* loads that are not unique solve no equations */
 }
 

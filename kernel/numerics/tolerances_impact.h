@@ -11,18 +11,20 @@
 #define PM_REVERSED 2 /* slips that are reversed at once where contacts nearly lock; more: more ways are tried */
 #define PM_LET_GO_FEW 2 /* contacts that are let go at once where they depend on others for an instant; more: slower, fewer: such runs end singular */
 #define PM_NEAR_BESIDE 1e-8 /* of the scene's size: what stands open by less counts as closed where several motions are allowed without it; larger: feet hold that are in the air */
+#define PM_PUT_ELSEWHERE 1e-7 /* of the scene's size: so far no rounding of gaps moves bodies; larger: energy is lost, smaller: contacts that close from a distance are let go */
+#define PM_STAYS_OPEN 1e-12 /* likewise: so much no projection that ends leaves open; larger: likewise, smaller: rounding far from the origin is taken for it */
 #define PM_APART_IN_TIME 1e-6 /* of the natural acceleration: towards each other no more, where others hold a pair to the first order; larger: contacts that press are let go */
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
 #define PM_PROBLEM_LEMKE_TIE 1e-9 /* likewise of Lemke's loads, which only propose modes; likewise */
 #define PM_PROBLEM_EXACT 1e-13 /* likewise: obeyed to rounding, which goes before what is obeyed within the tie; larger: next to places where contacts lock motions count as several, smaller: rounding chooses one of several */
-#define PM_PROBLEM_SOLVED 1e-15 /* of the loads, over the least pivot of their equations: likewise; smaller: rounding chooses one of several */
+#define PM_PROBLEM_SOLVED 1e-15 /* of the loads, over the distance of their equations from singular ones: likewise; smaller: rounding chooses one of several */
 #define PM_PROBLEM_SAME 1e-7 /* of the scaled rates: the same motion; larger: motions that differ are taken for one */
 #define PM_PROBLEM_LARGEST 1e9 /* scaled load: beyond it the mode has no unique loads; larger: rounding is taken for loads */
 #define PM_PROBLEM_IMMOBILE 1e-14 /* of the contact's other response: nothing moves that way; larger: friction is left out */
 #define PM_SYSTEM_HELD 1e-14 /* of the greatest response, and of what nothing else would hold: nothing moves; larger: light bodies beside heavy ones stand still */
 #define PM_PROBLEM_DEPENDS 1e-12 /* of its response: a rough tangent that others hold; larger: what holds is left out */
-#define PM_PROBLEM_SOUND 1e-8 /* scaled pivot: smaller, and loads are left out of the mean of those that are possible; larger: so are loads that are known */
+#define PM_PROBLEM_SOUND 1e-8 /* that distance: smaller, and loads are left out of the mean of those that are possible; larger: so are loads that are known */
 #define PM_PROBLEM_COUNTED 4 /* contacts: up to here all modes are tried and motions counted; more: 4 times dearer each */
 #define PM_PROBLEM_TRIES 8 /* of Lemke's method from other beginnings; more: fewer problems without a solution found, slower */
 #define PM_PROBLEM_SWEEPS 4000 /* over contacts one by one, where all else fails; more: fewer problems without a solution found */

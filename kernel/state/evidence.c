@@ -26,6 +26,7 @@ static void begin_log(pm_evidence_log *log)
     log->instant = 0;
     log->stride = 1;
     log->history = FIRST;
+    log->trial = 0;
 }
 
 void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
@@ -137,6 +138,7 @@ void pm_evidence_take(pm_evidence *evidence, const pm_evidence_decision *decisio
     if (!pm_evidence_is_kept(log->instant, log->stride)) return;
     log->entry[log->n] = *decision;
     log->entry[log->n].instant = log->instant;
+    log->entry[log->n].trial = log->trial;
     log->entry[log->n++].history = log->history;
 }
 
@@ -179,6 +181,11 @@ void pm_evidence_date(pm_evidence_log *log, double t)
         log->entry[i].t = t;
         if (log->entry[i].approach == 0) log->entry[i].approach = approach;
     }
+}
+
+void pm_evidence_try(pm_evidence *evidence, uint32_t trial)
+{
+    if (evidence->active) evidence->present->log.trial = trial;
 }
 
 int32_t pm_evidence_part_of(const pm_evidence_decision *x) { return x->instant / PART; }

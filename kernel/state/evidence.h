@@ -38,6 +38,7 @@ typedef struct pm_evidence_decision {
     int32_t trigger;             /* whose program the distance is in the unit of, or PM_NONE */
     int32_t in_time;    /* rates are by time, else by the way along a path: these two cannot be compared */
     uint32_t history;   /* of all that was decided before */
+    uint32_t trial;     /* modes that were tried when it was taken; 0: of no trial */
     double distance;    /* from the threshold */
     double touching;    /* times as much as usual counts as touching, of a gap next to it; else 0 */
     double reach;       /* how far it was nearby: nothing by the scene's structure if that is rounding */
@@ -52,6 +53,7 @@ typedef struct pm_evidence_log {
     int n, room;
     int32_t instant, stride; /* every stride-th instant is kept, lest they be more: a power of two */
     uint32_t history;
+    uint32_t trial; /* see pm_evidence_try */
 } pm_evidence_log;
 
 #define PM_DECISIONS 4096   /* kept of a pass */
@@ -141,6 +143,9 @@ void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, doubl
 void pm_evidence_blow(pm_evidence *evidence, double approach);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_evidence *evidence, int contact);
+/* What is decided from now on is of this trial of modes: two passes that try others at an instant and come to the same decide nothing
+ * there by it.  0: of none. */
+void pm_evidence_try(pm_evidence *evidence, uint32_t trial);
 /* The present instant is at t; what was decided after its blows belongs to the last of them. */
 void pm_evidence_date(pm_evidence_log *log, double t);
 /* What came of the present instant is mixed into the history of the log; the next one begins. */

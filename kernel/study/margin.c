@@ -55,7 +55,8 @@ static double margin_of(const pm_evidence_decision *x, const pm_evidence_decisio
 
 static int same(const pm_evidence_decision *x, const pm_evidence_decision *y)
 {
-    return x->instant == y->instant && x->history == y->history && x->kind == y->kind && x->what == y->what;
+    return x->instant == y->instant && x->history == y->history && x->trial == y->trial &&
+           x->kind == y->kind && x->what == y->what;
 }
 
 /* Whether a function is still held at its last zero, and whether it is seen to come close, depends on the steps. */

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "to close a gap of rounding bodies are put elsewhere",
+        "impact/contact_modes_settle.c",
+        "return most > PM_PUT_ELSEWHERE * w->numbers.size || open",
+        "return open",
+    ),
+    Fault(
+        "a gap of rounding that nothing closes counts as closed",
+        "impact/contact_modes_settle.c",
+        "|| open > PM_STAYS_OPEN * w->numbers.size;",
+        "|| open > 1e6 * PM_STAYS_OPEN * w->numbers.size;",
+    ),
+    Fault(
         "a foot that stands open by a hair does not hold what is not unique without it",
         "impact/contact_modes_beside.c",
         "if (status != PM_NOT_UNIQUE) return status;",

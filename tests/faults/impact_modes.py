@@ -6,7 +6,7 @@ FAULTS = [
     Fault(
         "contact problem: equations that are nearly singular are solved exactly",
         "impact/contact_problem.c",
-        "solved = fmax(PM_PROBLEM_EXACT, PM_PROBLEM_SOLVED / x->least);",
+        "solved = fmax(PM_PROBLEM_EXACT, PM_PROBLEM_SOLVED / x->distance);",
         "solved = PM_PROBLEM_EXACT;",
     ),
     Fault(
@@ -18,8 +18,8 @@ FAULTS = [
     Fault(
         "modes: what is held for an instant alone is kept",
         "impact/contact_modes_settle.c",
-        "if ((status == PM_SINGULAR || by_rounding) && let_few_go(w)) return settled(w, 1);",
-        "if (by_rounding && let_few_go(w)) return settled(w, 1);",
+        "if ((status == PM_SINGULAR || in_doubt) && let_few_go(w)) return settled(w, 1);",
+        "if (in_doubt && let_few_go(w)) return settled(w, 1);",
     ),
     Fault(
         "modes: what rounding solves where contacts are held for an instant is a motion",
@@ -200,6 +200,12 @@ FAULTS = [
         "impact/contact_problem.c",
         "+ is_exact(x) + (is_exact(x) && is_sound(x));",
         "+ is_exact(x);",
+    ),
+    Fault(
+        "problem: pivots tell how well equations are solved, by the order of the contacts",
+        "impact/contact_problem.c",
+        "most = fmax(most, sum[k]);",
+        "most = fmax(most, 1 / fabs(x->system[k * (m + 1)]));",
     ),
     Fault(
         "problem: what hardly slips sticks",

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "margin: loads of other modes are compared",
+        "study/margin.c",
+        "&& x->trial == y->trial &&",
+        "&&",
+    ),
+    Fault(
         "error: steps that nothing limits are the same",
         "study/accuracy.c",
         "w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1",

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "numerics/dense.h"
 #include "planemotion.h"
 #include "state/state.h"
 
@@ -288,6 +289,77 @@ static void stops_on_the_edge_of_a_slip(pm_contact_problem *p)
     }
 }
 
+/* The class of it: a body turns about foot 1, slowly, and so slides on foot 0, whose normal goes by foot 1 to `near`.  Where friction at
+ * foot 0 can stop it, by loads that foot 1 can hold, that is a motion, too. */
+typedef struct stopped {
+    problem x;
+    double mu[2];
+    int held; /* by far */
+} stopped;
+
+static stopped random_stop(double near)
+{
+    stopped s = {.mu = {check_random(0.2, 1.2), check_random(0.2, 1.2)}};
+    double at[2][2], angle[2], load[3];
+    for (int i = 0; i < 4; i++) at[i / 2][i % 2] = check_random(-0.4, 0.4);
+    const double d[2] = {at[0][0] - at[1][0], at[0][1] - at[1][1]}, far = hypot(d[0], d[1]);
+    angle[0] = atan2(d[1], d[0]) - M_PI_2 + asin(fmin(1, near / far)) + (check_random(-1, 1) > 0 ? M_PI : 0);
+    angle[1] = check_random(-M_PI, M_PI);
+    problem *x = &s.x;
+    x->inverse[0] = x->inverse[1] = check_random(0.2, 2);
+    x->inverse[2] = x->inverse[0] / check_random(0.01, 0.1);
+    for (int i = 0; i < 2; i++) add_contact(x, 0, -1, at[i], at[i], angle[i]);
+    const double(*j)[3 * BODIES] = (const double(*)[3 * BODIES]) x->jacobian;
+    double omega = pow(10, -check_random(1, 4));
+    const double turn[3] = {at[1][1], -at[1][0], 1};
+    if (turn[0] * j[0][0] + turn[1] * j[0][1] + j[0][2] < 0) omega = -omega; /* it parts from foot 0 */
+    const double press = check_random(0.5, 2), rubs = check_random(-0.5, 0.5) * s.mu[1] * press;
+    double slip = 0, rows[9];
+    for (int k = 0; k < 3; k++) {
+        x->velocity[k] = omega * turn[k] - x->inverse[k] * (press * j[2][k] + rubs * j[3][k]);
+        slip += omega * turn[k] * j[1][k];
+    }
+    for (int k = 0; k < 3; k++) {
+        rows[3 * k] = j[0][k] - copysign(s.mu[0], slip) * j[1][k];
+        rows[3 * k + 1] = j[2][k];
+        rows[3 * k + 2] = j[3][k];
+        load[k] = -x->velocity[k] / x->inverse[k];
+    }
+    int pivot[3];
+    s.held = !pm_dense_lu_factor(3, rows, pivot);
+    pm_dense_lu_solve(3, rows, pivot, load);
+    s.held = s.held && load[0] > 1e-3 && load[1] > 0.1 && fabs(load[2]) < 0.9 * s.mu[1] * load[1];
+    return s;
+}
+
+static problem in_reversed_order(const problem *x)
+{
+    problem r = *x;
+    memcpy(r.jacobian, x->jacobian + 2, 2 * sizeof x->jacobian[0]);
+    memcpy(r.jacobian + 2, x->jacobian, 2 * sizeof x->jacobian[0]);
+    return r;
+}
+
+/* Either order of the contacts tells both motions. */
+static void stop_or_turn(pm_contact_problem *p)
+{
+    int held = 0;
+    p->counted = 4;
+    p->tried = 7;
+    for (int i = 0; i < 10000; i++) {
+        const stopped s = random_stop(pow(10, -check_random(2, 5.3)));
+        if (!s.held) continue;
+        held++;
+        for (int k = 0; k < 2; k++) {
+            const problem x = k ? in_reversed_order(&s.x) : s.x;
+            pose(&x, 1, 0, p);
+            for (int c = 0; c < 2; c++) p->contact[c].hold = p->contact[c].rub = s.mu[(c + k) % 2];
+            EQUAL(pm_contact_problem_solve(p), 2);
+        }
+    }
+    CHECK(held > 1000);
+}
+
 int main(void)
 {
     pm_arena arena = {0};
@@ -299,6 +371,7 @@ int main(void)
             for (int e = 0; e < 2; e++) laws(&p, family, k == 0 ? 0 : k == 1 ? 0.3 : 1.2, 0.6 * e);
     next_to_a_lock(&p);
     stops_on_the_edge_of_a_slip(&p);
+    stop_or_turn(&p);
     int alone = 0, several = 0;
     for (int i = 0; i < 3000; i++) several += has_others(&p, &alone);
     CHECK(alone > 500 && several <= alone / 200);

@@ -34,6 +34,25 @@ static void beside_touching(void)
     NEAR(margin_of(3e-9, 30, 4e-9, 1), 3, 1e-6);
 }
 
+/* Signs of loads in other modes are no comparison; those of the same modes are, and so is what comes next. */
+static void other_modes_tried(void)
+{
+    for (int same = 0; same < 2; same++) {
+        pm_evidence_decision x[2], y[2];
+        for (int i = 0; i < 2; i++) {
+            (void)log_of(&x[i], i ? 3 : 1, 0);
+            (void)log_of(&y[i], i ? 4 : -1, 0);
+            x[i].instant = y[i].instant = i;
+            x[i].kind = y[i].kind = PM_EVIDENCE_SIGN;
+        }
+        x[0].trial = 1;
+        y[0].trial = same ? 1 : 2;
+        const pm_evidence_log a = {.entry = x, .n = 2, .room = 2, .stride = 1},
+                              b = {.entry = y, .n = 2, .room = 2, .stride = 1};
+        NEAR(pm_margin_of_logs(&a, &b, NULL).margin, same ? 0.5 : 3, 1e-12);
+    }
+}
+
 /* The run is in doubt where the pass that it is compared with could not go on. */
 static void other_ended(void)
 {
@@ -59,6 +78,7 @@ static void other_ended(void)
 int main(void)
 {
     beside_touching();
+    other_modes_tried();
     other_ended();
     return check_failures();
 }

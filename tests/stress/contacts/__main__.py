@@ -9,6 +9,8 @@ import os
 import sys
 import time
 from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
+from typing import TypeVar
 
 from rich.console import Console
 from rich.table import Table
@@ -18,6 +20,8 @@ from tests.stress.contacts.verdict import BY_THEORY, is_fault
 
 BATCH = 500  # cases of one law and one number of contacts, run as one sweep
 CONTACTS = (1, 2, 3, 4)
+TELL = 20  # s: so often how far it is
+Row = TypeVar("Row")
 
 
 def main() -> int:
@@ -37,6 +41,16 @@ def main() -> int:
     faults += throw_table(given, console)
     console.print(f"{time.monotonic() - begun:.0f} s")
     return 1 if faults else 0
+
+
+def _told(rows: Iterable[Row], of: int, what: str) -> Iterator[Row]:
+    """Tells how far it is now and then: a table shows nothing before its end, which may be far."""
+    told = time.monotonic()
+    for done, row in enumerate(rows, 1):
+        if time.monotonic() - told > TELL:
+            told = time.monotonic()
+            print(f"{done} of {of} {what}", file=sys.stderr, flush=True)
+        yield row
 
 
 def _batch(task: tuple[int, int, str, bool]) -> tuple[tuple[str, int], Counter[str], list[str], float]:
@@ -67,7 +81,7 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
     seconds: defaultdict[tuple[str, int], float] = defaultdict(float)
     named: list[str] = []
     with multiprocessing.Pool(given.jobs) as pool:
-        for key, words, faults, took in pool.imap_unordered(_batch, tasks):
+        for key, words, faults, took in _told(pool.imap_unordered(_batch, tasks), len(tasks), "batches"):
             found.setdefault(key, Counter()).update(words)
             seconds[key] += took
             named += faults
@@ -88,7 +102,8 @@ def one_body_table(given: argparse.Namespace, console: Console) -> int:
 def throw_table(given: argparse.Namespace, console: Console) -> int:
     """What became of throws, by kind and law; how many are faults."""
     numbers = (n for n in itertools.count(given.first) if given.kind in (None, throws.throw(n).kind))
-    rows = sorted(thrown.table(itertools.islice(numbers, given.throws), given.jobs))
+    became = thrown.table(itertools.islice(numbers, given.throws), given.jobs)
+    rows = sorted(_told(became, given.throws, "throws"))
     shown = Table("thrown", "law", *thrown.BY_THEORY, "wrong", "failed", "s", title="thrown until they rest")
     for kind, law in sorted({(row.kind, row.law) for row in rows}):
         of_it = [row for row in rows if (row.kind, row.law) == (kind, law)]

@@ -13,7 +13,7 @@ import numpy as np
 
 from tests.stress.contacts.laws import BACKWARD, CLOSE, DEPENDS, FORWARD, OPEN, STICK, Array, Problem, residue
 
-NONE = 1e-9  # of the velocities before: no slip, no approach
+NONE = 1e-2  # times what is close, of the velocities before: no slip, no approach
 ROUNDING = 1e-11  # of the impulses, of the energy: nothing
 MOST = 2000  # stretches: slips of two contacts may end in turn, ever smaller
 
@@ -138,7 +138,7 @@ def _until_spent(law: str, u: float, rate: float, load: float, left: float) -> f
 def follow(x: Problem, law: str, close: float = CLOSE) -> End:
     """The end of a blow in which all contacts approach, none of them stiffer than the others."""
     v = x.before.copy()
-    none = NONE * x.scale
+    none = NONE * close * x.scale
     before = x.jacobian[:, 0] @ v
     impulse, work = np.zeros(len(x)), np.zeros(len(x))
     left = np.zeros(len(x))

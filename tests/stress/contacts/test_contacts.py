@@ -36,6 +36,22 @@ def test_several_motions_are_counted_whatever_the_order(seed: int) -> None:
         ("poisson", 4, 5027, 168, True, "not unique"),  # all slips but 0.1 % have ended: rounding decided
         ("newton", 2, 700002, 121, False, "not unique"),  # a slip of none: that of rounding decided
         ("newton", 3, 700020, 457, False, "not unique"),
+        (
+            "newton",
+            2,
+            820001,
+            439,
+            False,
+            "not unique",
+        ),  # next to a lock: the order decided
+        (
+            "poisson",
+            4,
+            820003,
+            486,
+            True,
+            "no motion",
+        ),  # parts by 4e-10 before it is needed
         ("newton", 3, 20014, 14, True, "no motion"),  # what comes nearest lets a contact approach by 6e-8
         ("poisson", 4, 20030, 121, True, "not unique"),  # motions that differ by 1e-5
         ("stronge", 2, 20021, 363, True, "right"),  # slips on at a speed of 6e-7 of the blow
@@ -74,11 +90,24 @@ def test_what_is_thrown_comes_to_rest_in_equilibrium_whatever_the_order_and_the_
         882190,
         901562,
         906463,
+        570098,  # two boxes side by side, all but at rest: closing a gap of 7e-11 m put them 1 mm away
         532222,  # in a stack a corner is sunk by a hair where others have come to rest
     ],
 )
 def test_throws_that_did_not_go_on(number: int) -> None:
     assert thrown.become(number).word in ("ok", "undecided")
+
+
+@pytest.mark.parametrize(
+    "number",
+    [
+        930508,  # loads of 1e9 N, of either sign, where corners hold each other
+        931104,
+        931258,  # stuck in one pass, slipping in the other, as a series of blows ends: then both stick
+    ],
+)
+def test_what_no_motion_hangs_on_leaves_no_run_undecided(number: int) -> None:
+    assert thrown.become(number).word == "ok"
 
 
 def _problem() -> Problem:
