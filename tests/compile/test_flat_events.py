@@ -187,7 +187,11 @@ def test_grids_of_asks(grid: str, expected: list[float]) -> None:
     [
         ('"P.speed"', "m/s", 1),
         ('"P.mass"', "kg", 1),
-        ('"energy.total"', "N*m", 1),
+        ('"energy.total"', "J", 1),
+        ('"energy.lost - 2*P.mass*P.speed^2"', "J", 1),
+        ('{ integral = "energy.kinetic" }', "N*m*s", 1),
+        ('"P.mass*g*(1 m)"', "N*m", 1),
+        ('{ max = "energy.kinetic" }', "J", 1),
         ('"blow.count"', "1", 1),
         ('{ of = "P.y", unit = "in" }', "in", 0.0254),
         ('{ of = "t", unit = "ms" }', "ms", 1e-3),
@@ -197,6 +201,11 @@ def test_grids_of_asks(grid: str, expected: list[float]) -> None:
 def test_units_of_answers(text: str, unit: str, factor: float) -> None:
     column = ask(text)[2]
     assert (column.unit, column.factor) == (unit, factor)
+
+
+def test_what_is_made_of_energies_is_an_energy() -> None:
+    text = EVENTFUL + 'a = "energy.kinetic"\nb = "a/2"\nc = "b/(1 s)"'
+    assert [ask.unit for ask in flatten(load_text(text)).asks] == ["J", "J", "W"]
 
 
 def test_asks_stand_side_by_side_in_out() -> None:

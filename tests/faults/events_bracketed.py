@@ -122,8 +122,8 @@ FAULTS = [
     Fault(
         "bound: zeros in a dip of three nodes are one",
         "events/event_bracket.c",
-        "if (of->bounded && pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;",
-        "",
+        "of->biggest, pm_event_samples_along, x)) return 1;",
+        "of->biggest, pm_event_samples_along, x) * 0) return 1;",
     ),
     Fault(
         "bound: three nodes tell that no zero is near",

@@ -11,7 +11,7 @@ from ..base.arrays import Floats
 from ..base.errors import SceneError, nearest
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
+from ..language.dimensions import ANGULAR_VELOCITY, DIMENSIONLESS, ENERGY, TIME, Dimension
 from ..language.tree import ONE, ZERO, Node, is_condition, select
 from ..language.units import factor, parse_quantity
 from ..model.readers import Value
@@ -102,6 +102,7 @@ class Asks:
         self.tables = tables
         self.columns: list[Asked] = []
         self.dimensions: dict[str, Dimension] = {}
+        self._energies: set[str] = set()
         self._width = 0
         self._rows = 0
 
@@ -125,7 +126,7 @@ class Asks:
             reading, row, count = *self._over_time(ask, reading, path), 1
         else:
             row, count = self._instant(word, ask.at, f"{path}.at")
-        unit, size = _unit(ask.unit, reading.dimension, path)
+        unit, size = _unit(ask.unit, reading, path)
         node = reading.node if word == "of" else self.watched(reading.node, path)
         row[layout.PM_ASK_PROGRAM] = self.tables.program(node, path)
         kind = row[layout.PM_ASK_KIND]
@@ -136,6 +137,8 @@ class Asks:
         self.columns.append(asked)
         self._add_row(row, count, path)
         self.dimensions[key] = reading.dimension
+        if reading.energy:
+            self._energies.add(key)
 
     def _add_row(self, row: dict[int, int], count: int, path: str) -> int:
         """Its first column."""
@@ -161,7 +164,7 @@ class Asks:
             omega = self.reader.number(ask.omega, f"{path}.omega", ANGULAR_VELOCITY)
             found = wave(hidden, reading.node, omega, self._condition(ask, f"{path}.during"), ask.word)
         dimension = dimension_of(ask.word, reading.dimension)
-        unit, size = _unit(ask.unit, dimension, path)
+        unit, size = _unit(ask.unit, Reading(found, dimension), path)
         row = {**_row(layout.PM_ASK_END), layout.PM_ASK_PROGRAM: self.tables.program(found, path)}
         column = Asked(
             key, unit, size, self._width, 1, False, ask.text, row=self._rows, hidden=self._rows - rows
@@ -200,7 +203,11 @@ class Asks:
     def answers(self) -> dict[str, Reading]:
         """What names of asks stand for in asks behind them: answers; a parameter of that name goes first."""
         return {
-            column.key: Reading(self.tables.answer_leaf(column.first), self.dimensions[column.key])
+            column.key: Reading(
+                self.tables.answer_leaf(column.first),
+                self.dimensions[column.key],
+                column.key in self._energies,
+            )
             for column in self.columns
             if not column.is_list and not column.letters and not self.measures.knows(column.key)
         }
@@ -219,11 +226,11 @@ class Asks:
         where = f"{path}.during"
         condition = self._condition(ask, where)
         if condition is None:
-            return Reading(reading.node, dimension), row
+            return Reading(reading.node, dimension, reading.energy), row
         row[layout.PM_ASK_PROGRAM_2] = self.tables.program(
             self.watched(select(condition, ONE, ZERO), where), where
         )
-        return Reading(select(condition, reading.node, ZERO), dimension), row
+        return Reading(select(condition, reading.node, ZERO), dimension, reading.energy), row
 
     def _part(self, ask: Ask, path: str) -> int:
         """The part of the time in which an expression is below the answer."""
@@ -349,10 +356,11 @@ def _row(kind: int) -> dict[int, int]:
     }
 
 
-def _unit(written: str | None, found: Dimension, path: str) -> tuple[str, float]:
+def _unit(written: str | None, reading: Reading, path: str) -> tuple[str, float]:
     """Unit text and factor of an answer; by default the SI unit."""
+    found = reading.dimension
     if written is None:
-        return found.unit or "1", 1.0
+        return ("J" if reading.energy and found == ENERGY else found.unit or "1"), 1.0
     try:
         size, dimension = factor(written)
         if dimension != found:

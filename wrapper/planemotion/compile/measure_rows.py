@@ -42,10 +42,11 @@ _SEEN_FROM = (
 
 @dataclass(frozen=True)
 class Reading:
-    """What an address stands for: an expression over measures and its dimension."""
+    """An expression over measures, and its dimension; `energy`: where that says so, it is no couple."""
 
     node: Node
     dimension: Dimension
+    energy: bool = False
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from ..base.errors import SceneError
 from ..geometry.drawn_rows import DrawnRows
 from ..geometry.packing import Tables
 from ..geometry.parameters import Reader
-from ..language.address import Address
+from ..language.address import Address, is_energy
 from ..language.dimensions import (
     ANGULAR_MOMENTUM,
     ANGULAR_VELOCITY,
@@ -28,7 +28,7 @@ from ..language.dimensions import (
     Dimension,
 )
 from ..language.homogeneity import dimension
-from ..language.leaves import Leaf, substitute
+from ..language.leaves import Leaf, names, substitute
 from ..language.tree import Name, Node, sqrt
 from ..model import words
 from ..model.readers import Value
@@ -107,7 +107,19 @@ class Measures:
             reason = error.reason.removeprefix(f'"{written}": ')
             shown = None if isinstance(written, Node) else written
             raise SceneError(reason, path=error.path or where, value=error.value or shown) from None
-        return Reading(lowered, found if found is not None else DIMENSIONLESS)
+        return Reading(lowered, found if found is not None else DIMENSIONLESS, self._is_energy(node, found))
+
+    def _is_energy(self, node: Node, found: Dimension | None) -> bool:
+        """Whether an expression is an energy by what it reads: a couple has the same dimension."""
+        if found != ENERGY:
+            return False
+        read = [leaf for leaf in names(node) if self._is_measure(leaf) and self.dimension_of(leaf) == ENERGY]
+        return bool(read) and all(self._names_energy(leaf) for leaf in read)
+
+    def _names_energy(self, leaf: Leaf) -> bool:
+        if isinstance(leaf, Name) and leaf.text in self._answers:
+            return self._answers[leaf.text].energy
+        return is_energy(str(leaf))
 
     def dimension_of(self, leaf: Leaf) -> Dimension | None:
         """The dimension of a parameter or of a measure."""

@@ -25,6 +25,7 @@ import numpy.typing as npt
 from ..base.arrays import Floats
 from ..base.bounded import require_file
 from ..base.errors import StudyError
+from ..language.address import is_energy
 from ..language.cf import cf_units, unit_of
 from .kernel import status_name
 from .outcome import History
@@ -137,10 +138,9 @@ def _write_run(group: Any, recorded: History) -> None:
 
 def _unit(address: str, unit: str) -> str:
     """The unit as people say it: J and rad are N*m and 1 for a calculation only."""
-    words = address.split(".")
-    if "energy" in words or words[-1] == "work":
+    if is_energy(address):
         return "J"
-    return "rad" if words[-1] in ("angle", "turned") else unit or "1"
+    return "rad" if address.split(".")[-1] in ("angle", "turned") else unit or "1"
 
 
 def is_history(path: Path) -> bool:

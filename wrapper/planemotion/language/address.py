@@ -26,6 +26,12 @@ _INDEX = r"(?:\[-?\d{1,9}(?:,-?\d{1,9})*\])?"
 DOTTED = rf"{_NAME}{_INDEX}(?:\.{_NAME}{_INDEX})*"
 
 
+def is_energy(address: str) -> bool:
+    """Whether an address names an energy or a work: given in J, where a couple is in N*m."""
+    words = address.split(" ")[0].split(".")
+    return "energy" in words or words[-1] in ("kinetic_energy", "work")
+
+
 @dataclass(frozen=True)
 class Address(Node):
     """`THING.PATH[0].PATH[1]... in .. on .. about .. along ..`, words as written.
