@@ -161,12 +161,6 @@ FAULTS = [
         "return fabs(shift) < 0 ? t + shift : t;",
     ),
     Fault(
-        "ask: values are searched for the least top",
-        "events/extremum_search.c",
-        "? NAN : -pm_extremum_value(x->w, x->peak)",
-        "? NAN : pm_extremum_value(x->w, x->peak)",
-    ),
-    Fault(
         "ask: what was before a blow that fails is of the next one",
         "events/ask.c",
         "const int64_t nth = w->firing.count[event] + !w->firing.counted[event];",
