@@ -104,6 +104,12 @@ FAULTS = [
         "<= 0) return k;",
     ),
     Fault(
+        "hidden: a top that the end cuts off from its dip is at a node",
+        "events/extremum_hidden.c",
+        "nodes->at[after_next] > p->end ||",
+        "nodes->at[k + 1] > p->end ||",
+    ),
+    Fault(
         "hidden: a slope that is hardly told is told",
         "events/extremum_hidden.c",
         "return fabs(here->rate) <= p->slope_error &&",

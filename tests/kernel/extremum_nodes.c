@@ -89,8 +89,7 @@ static double greatest(const sum *f, double end)
     return most;
 }
 
-#define WAVE(place) \
-    scene_m(w.x), K(cos(place)), MUL, scene_m(w.y), K(sin(place)), MUL, ADD
+#define WAVE(place) scene_m(w.x), K(cos(place)), MUL, scene_m(w.y), K(sin(place)), MUL, ADD
 
 /* What the nodes of the path leave out of an extreme, looks beside it make up for. */
 static void random_sum(void)
@@ -99,9 +98,9 @@ static void random_sum(void)
                    check_random(0, 6.3)};
     const double end = check_random(0.5, 6);
     wheel w = wheel_turning(PM_ROUTE_PATH, end);
-    scene_ask_extreme(
-        w.s, PM_ASK_MAX,
-        SCENE_PROGRAM(w.s, WAVE(f.p), K(f.a), MUL, WAVE(f.q), WAVE(f.r), MUL, K(f.b), MUL, ADD), PM_NONE);
+    scene_ask_extreme(w.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(w.s, WAVE(f.p), K(f.a), MUL, WAVE(f.q), WAVE(f.r), MUL, K(f.b), MUL, ADD),
+                      PM_NONE);
     scene_set(w.s, PM_SETTING_ACCURACY, 1e-10);
     wheel_expect(w, 1, 0, 0, greatest(&f, end), 5e-12);
 }
@@ -128,5 +127,9 @@ int main(void)
 {
     for (size_t i = 0; i < sizeof routes / sizeof *routes; i++) try_route(routes[i]);
     for (int i = 0; i < SUMS; i++) random_sum();
+    for (int i = 0; i < SUMS / 40; i++) {
+        const double q = pow(10, check_random(-1.5, -0.3));
+        top_and_dip(PM_ROUTE_PATH, q, check_random(3 * q, END), 0);
+    }
     return check_failures();
 }
