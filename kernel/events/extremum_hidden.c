@@ -86,8 +86,9 @@ static int next_hidden(const pm_chebyshev_nodes *nodes, const pm_extremum *p, in
         after = k + 2 < n ? fabs(g[k + 2] - g[k + 1]) : 0;
         const double rise = pm_max(here, pm_max(before, after));
         if (!(pm_max(g[k], g[k + 1]) + rise > above)) continue;
-        const int after_next = k + 2 < n ? k + 2 : k + 1; /* beyond the end the value may rise again */
-        if (nodes->at[after_next] > p->end || pm_min(here, pm_min(before, after)) <= PM_HIDDEN_ALIKE * rise)
+        const int rises_again = k + 2 < n && nodes->at[k + 2] > p->end && g[k + 2] > g[k + 1];
+        if (nodes->at[k + 1] > p->end || rises_again ||
+            pm_min(here, pm_min(before, after)) <= PM_HIDDEN_ALIKE * rise)
             return k;
     }
     return n;

@@ -106,8 +106,8 @@ FAULTS = [
     Fault(
         "hidden: a top that the end cuts off from its dip is at a node",
         "events/extremum_hidden.c",
-        "nodes->at[after_next] > p->end ||",
-        "nodes->at[k + 1] > p->end ||",
+        "p->end || rises_again ||",
+        "p->end ||",
     ),
     Fault(
         "hidden: a slope that is hardly told is told",
