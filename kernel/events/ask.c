@@ -50,9 +50,7 @@ int pm_ask_create(pm_workspace *w)
         PM_ARRAY(a->sound, nout),
     };
     a->solver = pm_bracket_create();
-    a->minimum = pm_bracket_minimum_create();
     int status = pm_arena_keep(&w->memory, a->solver, pm_bracket_free);
-    status |= pm_arena_keep(&w->memory, a->minimum, pm_bracket_minimum_free);
     if (status || pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_integral_create(w)) return PM_NO_MEMORY;
     a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {

@@ -26,7 +26,6 @@ typedef struct pm_ask_set {
     struct pm_percentile *percentile; /* [nask] (percentile.h) */
     int fresh;                        /* something was filled since */
     void *solver;                     /* gsl_root_fsolver */
-    void *minimum;                    /* gsl_min_fminimizer */
     void *quadrature;                 /* gsl_integration_workspace */
 } pm_ask_set;
 

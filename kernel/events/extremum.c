@@ -87,10 +87,8 @@ int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extr
             return PM_OK;
         }
         int found;
-        pm_extremum_estimate top;
-        int status =
-            pm_extremum_rise_climb(w, p, pm_extremum_rise_side(w->step.nodes, k, x->s), x, &top, &found);
-        if (!status && !found) status = pm_extremum_search_values(w, p, &top, &found);
+        const int status =
+            pm_extremum_rise_climb(w, p, pm_extremum_rise_side(w->step.nodes, k, x->s), x, &found);
         if (status || found) return status;
     }
     const int status = pm_extremum_search_root(w, p, k - 1);
@@ -158,11 +156,9 @@ static int extreme_beside_top(pm_workspace *w, const pm_extremum *p, int k, doub
         const double low = nodes->at[k], high = nodes->at[k + 1];
         const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, low + (high - low) * (a / (a - b)));
         int found = 0, status = PM_OK;
-        pm_extremum_estimate top = {.value = -INFINITY};
         if (x.bend < 0)
-            status = pm_extremum_rise_climb(w, p, pm_extremum_rise_side(nodes, k, x.s), &x, &top, &found);
+            status = pm_extremum_rise_climb(w, p, pm_extremum_rise_side(nodes, k, x.s), &x, &found);
         if (status || found) return status;
-        if ((status = pm_extremum_search_values(w, p, &top, &found))) return status;
     }
     return pm_extremum_search_root(w, p, k); /* a corner, too */
 }

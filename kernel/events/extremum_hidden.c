@@ -1,8 +1,9 @@
 /* extremum_hidden.c - extremes that no node of a step shows.
  *
  * A top and a dip may have hardly parted, and a top may be right before the end of a step that was shortened, which is no
- * node.  There nodes next to each other are nearly alike, or the step begins or ends; such tops rise above the nodes by no
- * more than those differ about them.  The polynomial through the nodes shows them, or the rates there do.
+ * node, or have but its dip there.  There nodes next to each other are nearly alike, or the step begins or ends; such tops
+ * rise above the nodes by no more than those differ about them.  The polynomial through the nodes shows them, or the rates
+ * there do.
  *
  * A top and a dip that have parted by less than the distance of the nodes may both lie between two places where the value
  * rises, or between two where it falls.  The cubic that has both values and rates shows them: then the value is asked for on
@@ -85,8 +86,10 @@ static int next_hidden(const pm_chebyshev_nodes *nodes, const pm_extremum *p, in
         after = k + 2 < n ? fabs(g[k + 2] - g[k + 1]) : 0;
         const double rise = pm_max(here, pm_max(before, after));
         if (!(pm_max(g[k], g[k + 1]) + rise > above)) continue;
-        const int cut = nodes->at[k + 1] > p->end;
-        if (cut || pm_min(here, pm_min(before, after)) <= PM_HIDDEN_ALIKE * rise) return k;
+        const int rises_again = k + 2 < n && nodes->at[k + 2] > p->end && g[k + 2] > g[k + 1];
+        if (nodes->at[k + 1] > p->end || rises_again ||
+            pm_min(here, pm_min(before, after)) <= PM_HIDDEN_ALIKE * rise)
+            return k;
     }
     return n;
 }

@@ -98,17 +98,13 @@ pm_extremum_fit pm_extremum_rise_top(const pm_chebyshev_nodes *nodes, const pm_e
 int pm_extremum_rise_interval(const pm_chebyshev_nodes *nodes, double s);
 /* The polynomial at s, or right beside the node there. */
 pm_extremum_fit pm_extremum_rise_fit(const pm_chebyshev_nodes *nodes, const pm_extremum *p, double s);
-/* From a place near an extreme to it; *found is 0 if the looks do not resolve it, *top is the best of them then. */
+/* From a place near an extreme to it; *found is 0 if the looks do not resolve it. */
 int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *near,
-                           pm_extremum_estimate *top, int *found);
+                           int *found);
 
 /* ---- extremum_search.c: where they do not ---- */
 /* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k);
-/* By values alone, where slopes do not show it (a flat top, or one about to part in two): from a look that is better than the
- * nodes beside it. */
-int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *top,
-                              int *found);
 
 /* ---- extremum_law.c ---- */
 /* Whether the program's law is known along the step. */

@@ -163,7 +163,7 @@ static int take_top(pm_workspace *w, const pm_extremum *p, const pm_extremum_est
 }
 
 int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *near,
-                           pm_extremum_estimate *top, int *found)
+                           int *found)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
     const double low = k > 0 ? nodes->at[k - 1] : 0, high = k + 2 < nodes->n ? nodes->at[k + 2] : 1;
@@ -171,12 +171,10 @@ int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const p
     pm_extremum_estimate rise[2];
     pm_extremum_fit x = *near;
     *found = 0;
-    *top = (pm_extremum_estimate){.value = -INFINITY};
     for (int i = 0; i < LOOKS; i++) {
         pm_extremum_estimate *here = &rise[i % 2];
         const int status = take_look(w, p, &x, i > 0 ? &rise[(i + 1) % 2] : NULL, &looks, here);
         if (status) return status;
-        if (here->value > top->value) *top = *here;
         const double most = here->value + here->gain + here->residual;
         *found = most <= p->best + p->nothing || here->residual <= p->nothing;
         if (*found) {

@@ -1,7 +1,7 @@
 /* extremum_search.c - extremes of a value that the nodes of a step do not resolve.
  *
  * Every interval where its rate changes sign is searched for the root of the rate (differences of the route's dense output),
- * and the value is taken on an exact state there; or it is searched by values alone. */
+ * and the value is taken on an exact state there. */
 #include <math.h>
 
 #include "events/extremum_parts.h"
@@ -104,39 +104,4 @@ int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
     if (at[k] >= end) return PM_OK;
     const pm_extremum_slope a = x->slope(w, p, at[k]), b = x->slope(w, p, end);
     return pm_extremum_hidden_tops(w, p, x, &a, &b, PM_HIDDEN_PARTINGS);
-}
-
-typedef struct pm_search {
-    pm_workspace *w;
-    const pm_extremum *peak;
-} pm_search;
-
-static double depth(double s, void *context)
-{
-    const pm_search *x = context;
-    return pm_ask_look(x->w, pm_extremum_place(&x->w->step, s), 1) ? NAN : -pm_extremum_value(x->w, x->peak);
-}
-
-/* The look and the nodes beside it; 0 if it is no better than they are. */
-static int top_of_three(const pm_chebyshev_nodes *nodes, const double *g, const pm_extremum_estimate *top,
-                        pm_valley *in)
-{
-    const int k = pm_extremum_rise_interval(nodes, top->s);
-    *in = (pm_valley){nodes->at[k], -g[k], top->s, -top->value, nodes->at[k + 1], -g[k + 1]};
-    return top->value > g[k] && top->value > g[k + 1];
-}
-
-int pm_extremum_search_values(pm_workspace *w, const pm_extremum *p, const pm_extremum_estimate *top,
-                              int *found)
-{
-    pm_search context = {w, p};
-    pm_valley in;
-    *found = top_of_three(w->step.nodes, p->g, top, &in);
-    if (!*found) return PM_OK;
-    double
-        s; /* the best place counts, however close: values differ by rounding there long before places do */
-    pm_bracket_minimum(w->ask->minimum, depth, &context, &in,
-                       &(pm_closeness){PM_EXTREMUM_SEARCHES, PM_EXTREMUM_CLOSE, 0}, &s);
-    if (s > p->end) return PM_OK;
-    return pm_extremum_offer_at(w, p, pm_extremum_place(&w->step, s));
 }

@@ -263,8 +263,6 @@
 #define PM_RISE_PART 0.3 /* of the residual of a slope before a look: it stays so after it, at the least; larger: more looks */
 #define PM_EXTREMUM_RATE_STEP 2e-3 /* of the step: differences of five values that make a rate; larger: less exact, smaller: rounding */
 #define PM_EXTREMUM_NEAR_STEP 1e-4 /* of the step: differences of two values, next to an extreme; likewise */
-#define PM_EXTREMUM_SEARCHES 60 /* values that are compared where slopes are not known; more: slower */
-#define PM_EXTREMUM_CLOSE 1e-8 /* of the step: so near to an extreme its value is that, by the square; larger: extremes less exact */
 #define PM_CULLING_PART 0.5 /* of a gap: its marks may move so far unseen; larger: seen too late */
 #define PM_CULLING_BETWEEN 3.0 /* times the movement at the nodes: between them it is less (Lebesgue constants); larger: more is looked at */
 #define PM_CULLING_WITHIN 0.9 /* of a gap: so far two circles may come in a step without meeting; larger: one may pass the other */

@@ -104,6 +104,12 @@ FAULTS = [
         "<= 0) return k;",
     ),
     Fault(
+        "hidden: a top that the end cuts off from its dip is at a node",
+        "events/extremum_hidden.c",
+        "p->end || rises_again ||",
+        "p->end ||",
+    ),
+    Fault(
         "hidden: a slope that is hardly told is told",
         "events/extremum_hidden.c",
         "return fabs(here->rate) <= p->slope_error &&",
@@ -159,12 +165,6 @@ FAULTS = [
         "events/extremum_search.c",
         "return fabs(shift) < d ? t + shift : t;",
         "return fabs(shift) < 0 ? t + shift : t;",
-    ),
-    Fault(
-        "ask: values are searched for the least top",
-        "events/extremum_search.c",
-        "? NAN : -pm_extremum_value(x->w, x->peak)",
-        "? NAN : pm_extremum_value(x->w, x->peak)",
     ),
     Fault(
         "ask: what was before a blow that fails is of the next one",

@@ -3,6 +3,7 @@
 #include "wheel.h"
 
 #define PLACES 40
+#define SUMS 6000
 #define END 2.6 /* rad: u stays within half a turn */
 
 static const int routes[] = {PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_UNIFORM};
@@ -55,6 +56,55 @@ static void square(int route, double accuracy, double bound)
     wheel_expect(w, PLACES, 0.3, 2.3, 1, bound);
 }
 
+/* ---- random sums ---- */
+/* a cos(x - p) + b cos(x - q) cos(x - r) of the angle x */
+typedef struct sum {
+    double a, b, p, q, r;
+} sum;
+
+static double value(const sum *f, double x)
+{
+    return f->a * cos(x - f->p) + f->b * cos(x - f->q) * cos(x - f->r);
+}
+
+static double slope(const sum *f, double x)
+{
+    return -f->a * sin(x - f->p) - f->b * sin(2 * x - f->q - f->r);
+}
+
+/* Its greatest value from 0 to `end`: the slope has no more than four zeros in a turn. */
+static double greatest(const sum *f, double end)
+{
+    const int pieces = 400;
+    double most = fmax(value(f, 0), value(f, end));
+    for (int i = 0; i < pieces; i++) {
+        double rises = end * i / pieces, falls = end * (i + 1) / pieces;
+        if (!(slope(f, rises) > 0 && slope(f, falls) <= 0)) continue;
+        for (int k = 0; k < 60; k++) {
+            const double x = 0.5 * (rises + falls);
+            *(slope(f, x) > 0 ? &rises : &falls) = x;
+        }
+        most = fmax(value(f, rises), most);
+    }
+    return most;
+}
+
+#define WAVE(place) scene_m(w.x), K(cos(place)), MUL, scene_m(w.y), K(sin(place)), MUL, ADD
+
+/* What the nodes of the path leave out of an extreme, looks beside it make up for. */
+static void random_sum(void)
+{
+    const sum f = {check_random(-1, 1), check_random(-1, 1), check_random(0, 6.3), check_random(0, 6.3),
+                   check_random(0, 6.3)};
+    const double end = check_random(0.5, 6);
+    wheel w = wheel_turning(PM_ROUTE_PATH, end);
+    scene_ask_extreme(w.s, PM_ASK_MAX,
+                      SCENE_PROGRAM(w.s, WAVE(f.p), K(f.a), MUL, WAVE(f.q), WAVE(f.r), MUL, K(f.b), MUL, ADD),
+                      PM_NONE);
+    scene_set(w.s, PM_SETTING_ACCURACY, 1e-10);
+    wheel_expect(w, 1, 0, 0, greatest(&f, end), 5e-12);
+}
+
 static void try_route(int route)
 {
     for (int k = 0; k < PARTED; k++) {
@@ -76,5 +126,10 @@ static void try_route(int route)
 int main(void)
 {
     for (size_t i = 0; i < sizeof routes / sizeof *routes; i++) try_route(routes[i]);
+    for (int i = 0; i < SUMS; i++) random_sum();
+    for (int i = 0; i < SUMS / 40; i++) {
+        const double q = pow(10, check_random(-1.5, -0.3));
+        top_and_dip(PM_ROUTE_PATH, q, check_random(3 * q, END), 0);
+    }
     return check_failures();
 }
