@@ -13,6 +13,7 @@
 #include "equations/shared_loads.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "numerics/tolerances_impact.h"
 #include "state/evidence.h"
@@ -66,9 +67,9 @@ static int is_put_elsewhere(const pm_workspace *w)
 {
     double most = 0;
     for (int i = 0; i < w->model->nq; i++)
-        most = fmax(most, fabs(w->state.q[i] - w->instant.place[i]) * (i % 3 == 2 ? w->numbers.size : 1));
+        most = pm_max(fabs(w->state.q[i] - w->instant.place[i]) * (i % 3 == 2 ? w->numbers.size : 1), most);
     double open = 0;
-    for (int i = 0; i < w->active.n; i++) open = fmax(open, fabs(w->active.constraint[i].g));
+    for (int i = 0; i < w->active.n; i++) open = pm_max(fabs(w->active.constraint[i].g), open);
     return most > PM_PUT_ELSEWHERE * w->numbers.size || open > PM_STAYS_OPEN * w->numbers.size;
 }
 
