@@ -173,11 +173,14 @@ static void mark_light(pm_numbers *numbers, int nbody)
     double greatest = 0;
     for (int i = 0; i < nbody; i++) greatest = pm_max(numbers->mass[i], greatest);
     numbers->light_any = 0;
+    numbers->compared_by_mass = 1;
     for (int i = 0; i < 3 * nbody; i++) {
         const double whole = greatest * (i % 3 == 2 ? numbers->size * numbers->size : 1);
         numbers->light[i] = numbers->inverse_mass[i] * PM_LIGHT * whole > 1;
         numbers->light_any |= numbers->light[i];
-        numbers->inverse_root[i] = sqrt(fmin(numbers->inverse_mass[i], 1 / (PM_LIGHT_METRIC * whole)));
+        const double most = 1 / (PM_LIGHT_METRIC * whole);
+        numbers->compared_by_mass &= numbers->inverse_mass[i] <= most;
+        numbers->inverse_root[i] = sqrt(pm_min(numbers->inverse_mass[i], most));
     }
 }
 

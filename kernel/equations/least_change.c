@@ -65,7 +65,7 @@ int pm_least_change_add(const pm_active_set *active, pm_saddle *saddle, const pm
 int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
 {
     const pm_model *m = w->model;
-    if (m->njoint_constraint < PM_BLOCK_OF_ROWS || w->numbers.light_any) return 0;
+    if (m->njoint_constraint < PM_BLOCK_OF_ROWS || !w->numbers.compared_by_mass) return 0;
     w->active.n = 0;
     for (int i = 0; i < m->rows[PM_TABLE_JOINT]; i++) {
         pm_constraint constraint[PM_JOINT_CONSTRAINTS];
@@ -78,7 +78,8 @@ int pm_least_change_block(pm_workspace *w, pm_least_change *s, int level)
             w->saddle.wanted[w->active.n++] = level == PM_START_POSITION ? -c->g : c->rate;
         }
     }
-    if (w->active.n < PM_BLOCK_OF_ROWS || !(pm_saddle_independence(&w->saddle) > PM_CLEARLY_INDEPENDENT))
+    if (w->active.n < PM_BLOCK_OF_ROWS ||
+        !(pm_saddle_independence_by_mass(&w->saddle) > PM_CLEARLY_INDEPENDENT))
         return 0;
     for (int pass = 0; pass < PM_BLOCK_PASSES; pass++) {
         for (int i = 0; i < w->active.n; i++)

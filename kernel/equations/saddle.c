@@ -191,9 +191,15 @@ static double independence_of_light(pm_saddle *s)
     return least;
 }
 
+double pm_saddle_independence_by_mass(pm_saddle *s)
+{
+    s->light.is_used = 0;
+    return factor_symmetric(s) ? 0 : sqrt(least_pivot(s));
+}
+
 double pm_saddle_independence(pm_saddle *s)
 {
-    const double by_mass = factor_symmetric(s) ? 0 : sqrt(least_pivot(s));
+    const double by_mass = pm_saddle_independence_by_mass(s);
     if (!s->numbers->light_any || by_mass > PM_CLEARLY_INDEPENDENT) return by_mass;
     return fmax(by_mass, independence_of_light(s));
 }

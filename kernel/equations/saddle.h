@@ -25,6 +25,8 @@ int pm_saddle_is_factored(const pm_saddle *s);
 /* How far the evaluated constraints are from depending on each other: the least part of a row of G that those before it do
  * not span, relative to it (its square is known to rounding). */
 double pm_saddle_independence(pm_saddle *s);
+/* The same by the masses alone, which for light bodies may say less; S is factored then, if it is more than 0. */
+double pm_saddle_independence_by_mass(pm_saddle *s);
 /* The same at a state, where the frame then looks. */
 double pm_saddle_independence_there(pm_workspace *w, const pm_state *s);
 /* S x = rhs in place. */

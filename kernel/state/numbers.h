@@ -23,6 +23,7 @@ typedef struct pm_numbers {
     double *inverse_root;      /* [nq] its square root, but no more than PM_LIGHT_METRIC allows */
     unsigned char *light;      /* [nq] next to no inertia beside the heaviest body, of the scene's size */
     int light_any;
+    int compared_by_mass; /* constraints are compared by the masses themselves: none is next to nothing */
     double *stand_in;     /* [nq] what stands for a mass or inertia of 0 in inverse_mass; else 0 */
     unsigned char *fixed; /* [nbody + 1] the body is fixed; last: the ground, which is */
     int massless;         /* some coordinate has such */

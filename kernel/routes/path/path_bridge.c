@@ -24,7 +24,9 @@ static double reach_of(const pm_workspace *w)
     return PM_BRIDGE_REACH * pm_tree_scale(w->tree, &w->numbers, w->path->driver);
 }
 
-static double support(int j) { return cos((2 * j + 1) * M_PI / (2 * PM_BRIDGE_PLACES)); }
+static double cosine(int k) { return cos(k * M_PI / (2 * PM_BRIDGE_PLACES)); }
+
+static double support(int j) { return cosine(2 * j + 1); }
 
 /* From the place before (at *u, with its slope) to the next on the branch, by the tangent. */
 static int walk(pm_workspace *w, double *u, double to, double *y, double *slope)
@@ -40,13 +42,14 @@ static int walk(pm_workspace *w, double *u, double to, double *y, double *slope)
 /* The coefficients of all coordinates, in place of the values at the supports. */
 static void transform(pm_path *p)
 {
-    double value[PM_BRIDGE_PLACES];
+    enum { TURN = 4 * PM_BRIDGE_PLACES };
+    double value[PM_BRIDGE_PLACES], turn[TURN];
+    for (int k = 0; k < TURN; k++) turn[k] = cosine(k);
     for (int i = 0; i < p->n; i++) {
         for (int j = 0; j < PM_BRIDGE_PLACES; j++) value[j] = p->bridge.c[j * p->n + i];
         for (int m = 0; m < PM_BRIDGE_PLACES; m++) {
             double sum = 0;
-            for (int j = 0; j < PM_BRIDGE_PLACES; j++)
-                sum += value[j] * cos(m * (2 * j + 1) * M_PI / (2 * PM_BRIDGE_PLACES));
+            for (int j = 0; j < PM_BRIDGE_PLACES; j++) sum += value[j] * turn[m * (2 * j + 1) % TURN];
             p->bridge.c[m * p->n + i] = 2 * sum / PM_BRIDGE_PLACES;
         }
     }
