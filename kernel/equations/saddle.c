@@ -14,7 +14,6 @@
 #include "elements/constraint.h"
 #include "elements/force.h"
 #include "elements/joint_friction.h"
-#include "equations/orthonormal_rows.h"
 #include "equations/saddle_light.h"
 #include "equations/solve_cache.h"
 #include "numerics/dense.h"
@@ -179,18 +178,6 @@ static double least_pivot(const pm_saddle *s)
     return least;
 }
 
-/* In M^-1 rows that take hold of one light body look alike: by the metric of orthonormal_rows.c. */
-static double independence_of_light(pm_saddle *s)
-{
-    pm_orthonormal_rest rest;
-    double least = 1;
-    for (int i = 0; i < s->active->n && least > 0; i++) {
-        const int grows = pm_orthonormal_rows_add_constraint(s, i, &s->active->constraint[i], &rest) > i;
-        least = grows ? fmin(least, rest.left) : 0;
-    }
-    return least;
-}
-
 double pm_saddle_independence_by_mass(pm_saddle *s)
 {
     s->light.is_used = 0;
@@ -201,7 +188,7 @@ double pm_saddle_independence(pm_saddle *s)
 {
     const double by_mass = pm_saddle_independence_by_mass(s);
     if (!s->numbers->light_any || by_mass > PM_CLEARLY_INDEPENDENT) return by_mass;
-    return fmax(by_mass, independence_of_light(s));
+    return fmax(by_mass, pm_saddle_light_independence(s));
 }
 
 double pm_saddle_independence_there(pm_workspace *w, const pm_state *s)

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "equations/orthonormal_rows.h"
 #include "numerics/dense.h"
 #include "numerics/tolerances.h"
 
@@ -115,4 +116,15 @@ void pm_saddle_light_solve(pm_saddle *s, const double *force)
     pm_dense_lu_solve(all, s->light.matrix, s->light.pivot, x);
     for (int i = 0; i < n; i++) s->rhs[i] = by[i] * x[i];
     for (int k = 0; k < s->light.n; k++) s->light.response[s->light.at[k]] = by[n + k] * x[n + k];
+}
+
+double pm_saddle_light_independence(pm_saddle *s)
+{
+    pm_orthonormal_rest rest;
+    double least = 1;
+    for (int i = 0; i < s->active->n && least > 0; i++) {
+        const int grows = pm_orthonormal_rows_add_constraint(s, i, &s->active->constraint[i], &rest) > i;
+        least = grows ? fmin(least, rest.left) : 0;
+    }
+    return least;
 }

@@ -166,7 +166,7 @@ FAULTS = [
     Fault(
         "light: rows of light bodies count as dependent",
         "equations/case.c",
-        "fmin(numbers->inverse_mass[i], 1 / (PM_LIGHT_METRIC * whole))",
+        "pm_min(numbers->inverse_mass[i], most)",
         "numbers->inverse_mass[i]",
     ),
     Fault("start: contradictions pass", "equations/start.c", "return PM_START_CONFLICT", "continue"),
