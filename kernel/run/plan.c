@@ -46,7 +46,7 @@ static const pm_rule rules[] = {
 };
 enum { NRULES = sizeof rules / sizeof *rules };
 
-/* What each route takes, for those who asked for one that declines. */
+/* What each route takes: told where the route that was asked for does not take the scene. */
 static const char *const scope[PM_ROUTES] = {
     [PM_ROUTE_AUTO] = "all that any route takes",
     [PM_ROUTE_RK] = "all smooth motion",

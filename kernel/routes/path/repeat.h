@@ -11,9 +11,9 @@ int pm_repeat_create(pm_workspace *w);
 
 /* A new case, or a phase on another route: nothing is known. */
 void pm_repeat_forget(struct pm_repeat *repeat);
-/* A path phase begins at w->state (the frame looks at it, the constraints are built): if it repeats the last segment, as
- * many segments are passed over as nobody asks about and as are sure to go like it; *passed = 1: w->state is the begin of
- * a later one and the constraints are built for it.  Statuses of the route and of the constraints. */
+/* A path phase begins at w->state (the frame looks at it, the constraints are built).  If it repeats the last segment, the next
+ * ones are passed over that are sure to go like it and that nobody asks about; *passed = 1: w->state is the begin of the one
+ * after them, and the constraints are built for it.  Statuses of the route and of the constraints. */
 int pm_repeat_begin(pm_workspace *w, int *passed);
 /* The segment ends at w->state, where the frame looks, before the blows of the instant. */
 void pm_repeat_end(pm_workspace *w);

@@ -18,8 +18,8 @@ typedef struct pm_rest {
 int pm_repeat_rest_create(pm_workspace *w);
 /* A new case, or a phase on another route: no such place is known. */
 void pm_repeat_rest_forget(pm_rest *rest);
-/* A path phase begins at w->state, as in pm_repeat_begin: if it is at rest and has begun there before, what lay between is a
- * period, and as many of them are passed over as nobody asks about; *passed = 1 then. */
+/* A path phase begins at w->state, as in pm_repeat_begin.  If it is at rest and has begun there before, what lay between is a
+ * period; the next ones that nobody asks about are passed over, and *passed = 1. */
 int pm_repeat_rest_begin(pm_workspace *w, int *passed);
 
 #endif
