@@ -33,24 +33,18 @@ int pm_event_bound_is_known(const pm_workspace *w, int i)
     return !f->every && pm_waves_may_be(w, program) && pm_waves_tell_law(w, program, PM_SAMPLE_TRIGGERS);
 }
 
-static int take_law(pm_bounded *x, double biggest, int trigger)
+/* 1, and what bounds f; 0 where its samples do not show it. */
+static int take(pm_bounded *x, const pm_event_function *f, const double *g, double biggest)
 {
-    x->program = PM_TRIGGER_ROW(x->w->model, trigger)[PM_TRIGGER_PROGRAM];
-    x->nothing = PM_SERIES_ROUNDING * biggest;
-    return 1;
-}
-
-static int take_series(pm_bounded *x, const double *g)
-{
+    if (f->kind == FUNCTION_TRIGGER) {
+        x->program = PM_TRIGGER_ROW(x->w->model, f->index)[PM_TRIGGER_PROGRAM];
+        x->nothing = PM_SERIES_ROUNDING * biggest;
+        return 1;
+    }
     x->program = PM_NONE;
     pm_chebyshev_series_of(&x->series, x->w->step.nodes, g);
     x->nothing = pm_max(x->series.high, PM_SERIES_ROUNDING * x->series.size);
     return x->series.resolved;
-}
-
-static int take(pm_bounded *x, const pm_event_function *f, const double *g, double biggest)
-{
-    return f->kind == FUNCTION_TRIGGER ? take_law(x, biggest, f->index) : take_series(x, g);
 }
 
 static pm_enclosure enclosed(const pm_bounded *x, double from, double to)
