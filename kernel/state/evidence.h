@@ -143,8 +143,8 @@ void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, doubl
 void pm_evidence_blow(pm_evidence *evidence, double approach);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_evidence *evidence, int contact);
-/* What is decided from now on is of this trial of modes: two passes that try others at an instant and come to the same decide nothing
- * there by it.  0: of none. */
+/* What is decided from now on belongs to this trial of modes (0: to none).  Two passes may try different modes at an instant and end
+ * with the same: decisions are compared where both tried the same. */
 void pm_evidence_try(pm_evidence *evidence, uint32_t trial);
 /* The present instant is at t; what was decided after its blows belongs to the last of them. */
 void pm_evidence_date(pm_evidence_log *log, double t);

@@ -254,14 +254,14 @@ FAULTS = [
     Fault(
         "segment: blows take what they do not",
         "routes/path/repeat_energy.c",
-        "((double)c.n - x.sum) * l->work",
-        "((double)c.n + x.sum) * l->work",
+        "(n - x.sum) * l->work",
+        "(n + x.sum) * l->work",
     ),
     Fault(
         "segment: roundings of the work are left out",
         "routes/path/repeat_energy.c",
-        "+ weighted(m, n, &x) * l->work",
-        "+ 0 * weighted(m, n, &x) * l->work",
+        "+ weighted(m, n, x) * l->work",
+        "+ 0 * weighted(m, n, x) * l->work",
     ),
     Fault(
         "segment: the end within the last segment",

@@ -48,15 +48,20 @@ static pm_powers powers(double m, int64_t n)
     return (pm_powers){rise, m == 1 ? (double)n : m * rise / (m - 1)};
 }
 
-/* n segments after the one that begins with T = begin: T + (m^n - 1) T + (m + ... + m^n) W. */
+/* T + (m^n - 1) T + (m + ... + m^n) W, n segments after the one that begins with T = begin. */
+static double kinetic_by(const pm_repeat *l, double begin, const pm_powers *x)
+{
+    return begin + (x->rise * begin + x->sum * l->work);
+}
+
 static double kinetic_after(const pm_repeat *l, double begin, int64_t n)
 {
     const pm_powers x = powers(l->ratio, n);
-    return begin + (x.rise * begin + x.sum * l->work);
+    return kinetic_by(l, begin, &x);
 }
 
-/* Of `most` segments so many until T, which only rises or only falls, is `level`: (m^n - 1) (T' - T) = (level - T) (m - 1), T' being
- * that of the next one.  All of them if it never is, or is behind the first. */
+/* T only rises or only falls from segment to segment.  It reaches `level` after n of them, (m^n - 1) (T' - T) = (level - T) (m - 1)
+ * with T' that of the second; `most` if that takes longer, or if T moves away from it. */
 static int64_t until(const pm_repeat *l, double begin, double level, int64_t most)
 {
     const double step = begin * (l->ratio - 1) + l->ratio * l->work, way = level - begin,
@@ -64,7 +69,7 @@ static int64_t until(const pm_repeat *l, double begin, double level, int64_t mos
     return n >= 0 && n < (double)most ? (int64_t)n : most;
 }
 
-/* What the segments go by that are passed over: T of each is above `least`, and has not reached that of the unsure one. */
+/* A segment may be passed over if its T is above `least` and has not reached `unsure`, that of the one which is not sure. */
 typedef struct pm_bound {
     double begin, least, unsure;
 } pm_bound;
@@ -76,7 +81,8 @@ static int is_sure(const pm_bound *b, double kinetic)
     return is_over(b, kinetic) && (isnan(b->unsure) || (kinetic - b->unsure) * (b->begin - b->unsure) > 0);
 }
 
-/* How many of `most` are sure, the segment after each of them included: sought around that number, which is rounded. */
+/* How many of `most` may be passed over: each of them needs a next one that may be, too.  That number is known but for rounding, and
+ * is looked for around there. */
 static int64_t sure_of(const pm_repeat *l, const pm_bound *b, int64_t most)
 {
     int64_t low = 0, high = most + 1, n = until(l, b->begin, b->least, most);
@@ -99,12 +105,11 @@ static double weighted(double m, double n, const pm_powers *x)
 }
 
 /* `error` of T, carried on by n segments, with their roundings: the sum of m^(n-1-k) (T_end + T_next). */
-static double error_after(const pm_repeat *l, double begin, int64_t segments, double error)
+static double error_by(const pm_repeat *l, double begin, double n, const pm_powers *x, double error)
 {
-    const pm_powers x = powers(l->ratio, segments);
-    const double m = l->ratio, n = (double)segments, last = n * (1 + x.rise) / m;
-    return (1 + x.rise) * error +
-           PM_ENERGY_ROUNDINGS * (1 + m) * (last * begin + weighted(m, n, &x) * l->work);
+    const double m = l->ratio, last = n * (1 + x->rise) / m;
+    return (1 + x->rise) * error +
+           PM_ENERGY_ROUNDINGS * (1 + m) * (last * begin + weighted(m, n, x) * l->work);
 }
 
 pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64_t most, double error)
@@ -115,10 +120,11 @@ pm_repeats pm_repeat_energy_over_barrier(const pm_repeat *l, double begin, int64
     if (!is_over(&bound, begin)) return c;
     if (most > PM_MOST_REPEATS) most = PM_MOST_REPEATS;
     c.n = sure_of(l, &bound, most);
+    const double n = (double)c.n;
     const pm_powers x = powers(l->ratio, c.n);
-    c.kinetic = kinetic_after(l, begin, c.n);
-    c.lost = ((double)c.n - x.sum) * l->work - x.rise * begin;
-    c.error = error_after(l, begin, c.n, error);
+    c.kinetic = kinetic_by(l, begin, &x);
+    c.lost = (n - x.sum) * l->work - x.rise * begin;
+    c.error = error_by(l, begin, n, &x, error);
     c.is_last = c.n < most && !is_over(&bound, kinetic_after(l, begin, c.n + 1));
     return c;
 }
