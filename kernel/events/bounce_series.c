@@ -75,11 +75,15 @@ static int share_body(const pm_event_set *e, int contact, int other)
 }
 
 /* ---- blows ---- */
+void pm_bounce_series_forget(const pm_workspace *w, int contact)
+{
+    w->event->series[contact] = (pm_bounce_series){.over = -INFINITY, .expected = -INFINITY};
+    w->event->order.n = 0;
+}
+
 void pm_bounce_series_begin(const pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        w->event->series[i] = (pm_bounce_series){.over = -INFINITY, .expected = -INFINITY};
-    w->event->order.n = 0;
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_bounce_series_forget(w, i);
 }
 
 /* The contacts that were struck and share a body with this one, itself among them. */

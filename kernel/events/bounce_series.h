@@ -7,6 +7,8 @@
 int pm_bounce_series_create(pm_workspace *w);
 /* A run begins: nothing has been struck. */
 void pm_bounce_series_begin(const pm_workspace *w);
+/* Nothing is known of the contact's blows any more. */
+void pm_bounce_series_forget(const pm_workspace *w, int contact);
 /* The contact is struck now. */
 void pm_bounce_series_strike(const pm_workspace *w, int contact);
 /* The blows of this instant are done: a contact that was struck and stays closed has bounced for the last time that is

@@ -137,6 +137,13 @@
 #define PM_ZENO_SLOW 1e-3 /* of the scene's speed: a rebound too low for a look of its own; more: leaps come earlier */
 #define PM_ZENO_ENOUGH 500 /* blows alike, however fast; more: slower */
 #define PM_ZENO_MARGIN 2.0 /* of what the flights to come may still change; more: fewer leaps */
+#define PM_TURNS_ALIKE 6 /* successive blows of two contacts by turns; more: the leap comes later */
+#define PM_TURNS_FEW 8 /* pairs of blows: fewer are not passed over; more: slower */
+#define PM_TURNS_MOST 1e15 /* the same: more are passed over by and by; more: their number is rounded */
+#define PM_TURNS_ROUNDING 1e-13 /* of velocities: a blow has mirrored them; more: blows with a loss pass */
+#define PM_TURNS_PARALLEL 1e-15 /* sine of the angle between two sides: none but rounding; more: their wedge is taken for a strip */
+#define PM_TURNS_LEDGER 1e-10 /* of the momentum: rounding of what is passed over at once; more: the audit is less sharp */
+#define PM_TURNS_SERIES 0.05 /* angle: below, a series is more exact than a difference; more: its terms that are left out count */
 
 /* ---- routes/start ---- */
 

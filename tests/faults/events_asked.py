@@ -352,4 +352,10 @@ FAULTS = [
         "return (of->bounded && (shown || may_reach(of, x)) &&",
         "return (0 &&",
     ),
+    Fault(
+        "zeno: strikes that are asked for",
+        "events/ask.c",
+        "e[PM_ASK_COUNT] > count) return 1",
+        "0) return 1",
+    ),
 ]

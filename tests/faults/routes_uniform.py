@@ -120,12 +120,6 @@ FAULTS = [
     Fault(
         "zeno: forces at the wrong place", "routes/uniform/zeno.c", "factor = 0.5 * t * e3", "factor = t * e3"
     ),
-    Fault(
-        "zeno: strikes that are asked for",
-        "routes/uniform/zeno.c",
-        "e[PM_ASK_COUNT] > count) return 1",
-        "0) return 1",
-    ),
     Fault("zeno: another contact", "routes/uniform/zeno.c", "* r->time)) return 0", "* r->time)) continue"),
     Fault(
         "zeno: slip that ends", "routes/uniform/zeno.c", "if (!(fabs(now) > change)) return 0", "(void)change"
@@ -147,5 +141,57 @@ FAULTS = [
         "routes/uniform/zeno.c",
         "flight && may_fire(w, r, i, &x))",
         "flight && 0 * may_fire(w, r, i, &x))",
+    ),
+    Fault(
+        "turns: the way turns the other way round",
+        "routes/uniform/wedge.c",
+        "a = x->a * c + x->b * s,",
+        "a = x->a * c - x->b * s,",
+    ),
+    Fault(
+        "turns: what is in neither direction stands still",
+        "routes/uniform/wedge.c",
+        "at->time * rest +",
+        "0 * rest +",
+    ),
+    Fault(
+        "turns: the place along the side stays",
+        "routes/uniform/wedge.c",
+        "at->along * x->along[i]",
+        "0 * x->along[i]",
+    ),
+    Fault(
+        "turns: impulses at the first place",
+        "routes/uniform/wedge.c",
+        ".along = x->far * (x->b * (side ? x->cosine : 1) * short_of(x, n) / many + away) / b",
+        ".along = 0",
+    ),
+    Fault(
+        "turns: impulses left out of the ledger",
+        "routes/uniform/turns.c",
+        "pm_ledger_series(w, 1)",
+        "(void)sum",
+    ),
+    Fault(
+        "turns: one blow too many is counted",
+        "routes/uniform/turns.c",
+        "of[0] * (pairs - 1)",
+        "of[0] * pairs",
+    ),
+    Fault(
+        "turns: strikes that are asked for",
+        "routes/uniform/turns.c",
+        "if (nth == 0 && pm_ask_awaits(",
+        "if (nth < 0 && pm_ask_awaits(",
+    ),
+    Fault("turns: another contact", "routes/uniform/turns.c", "if (!(c.g > reach)) return 0", "(void)reach"),
+    Fault(
+        "turns: an extreme on the way",
+        "routes/uniform/turns.c",
+        "return w->ask->nobserver > 0 ||",
+        "return",
+    ),
+    Fault(
+        "turns: too late", "routes/uniform/turns.c", "if (last.time < time &&", "if (last.time < 2 * time &&"
     ),
 ]

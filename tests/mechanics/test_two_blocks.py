@@ -45,7 +45,9 @@ def velocities(ratio: float, blows: int) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("estimate", ["true", "false"])
-@pytest.mark.parametrize(("power", "blows"), [(0, 3), (1, 31), (2, 314), (3, 3141), (4, 31415)])
+@pytest.mark.parametrize(
+    ("power", "blows"), [(0, 3), (1, 31), (2, 314), (3, 3141), (4, 31415), (5, 314159), (6, 3141592)]
+)
 def test_blows_count_the_digits_of_pi(power: int, blows: int, estimate: str) -> None:
     ratio = 100.0**power
     scene = planemotion.load_text(SCENE.replace("RATIO", f"{ratio:.0f}").replace("ESTIMATE", estimate))
@@ -60,7 +62,10 @@ def test_blows_count_the_digits_of_pi(power: int, blows: int, estimate: str) -> 
 
 
 def test_a_limit_of_events_is_named() -> None:
-    text = SCENE.replace("RATIO", "10000").replace("ESTIMATE", "false")
+    """With an extreme that is asked for no blow is passed over."""
+    text = (
+        SCENE.replace("RATIO", "10000").replace("ESTIMATE", "false") + 'fastest = { max = "light.speed" }\n'
+    )
     result = planemotion.load_text(text.replace("[solve]", "[solve]\nmax_events = 100")).run()
     assert result.status == "limit_events"
     assert "solve.max_events (100)" in result.error

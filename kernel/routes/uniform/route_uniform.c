@@ -50,10 +50,12 @@ static int create(pm_workspace *w)
         PM_ARRAY(u->rate, 3 * (size_t)nz),
         PM_ARRAY(u->z0, nz),
         PM_ARRAY(u->q_look, nq),
-        PM_ARRAY(u->v_look, nq),
+        PM_ARRAY(u->v_look, nq + 3),
         PM_ARRAY(u->series.before, nq),
         PM_ARRAY(u->series.change, nq),
         PM_ARRAY(u->series.spare, nq),
+        PM_ARRAY(u->turns.along, nq),
+        PM_ARRAY(u->turns.off, nq),
         PM_ARRAY(u->watched, m->rows[PM_TABLE_TRIGGER] + m->nask),
         PM_ARRAY(u->rotates, m->nbody + 1),
         PM_ARRAY(u->locked, m->nbody + 1),
@@ -293,7 +295,9 @@ static int step(pm_workspace *w, double t_limit)
     u->begin = u->end;
     memcpy(u->z0, w->state.z, (size_t)w->model->nz * sizeof(double));
     u->end = first_contact(w, pm_zeno_may_leap(u) ? limit : sampled_end(w, limit));
-    int status = pm_zeno_leap(w, mark_roots(w->event, w->uniform), u->end, t_limit, &leapt);
+    const int next = mark_roots(w->event, w->uniform);
+    int status = pm_zeno_leap(w, next, u->end, t_limit, &leapt);
+    if (!status && !leapt) status = pm_turns_leap(w, next, u->end, t_limit, &leapt);
     if (status || leapt) return status;
     if (pm_zeno_may_leap(u)) u->end = first_contact(w, sampled_end(w, limit));
     if (u->nwatched > 0) u->end = first_reversal(w, u->begin, u->end);
@@ -328,7 +332,11 @@ static int exact(pm_workspace *w, double t, pm_state *s)
     return pm_projection_near(w, s);
 }
 
-static void forget(pm_workspace *w) { pm_zeno_reset(w->uniform); }
+static void forget(pm_workspace *w)
+{
+    pm_zeno_reset(w->uniform);
+    pm_turns_reset(w->uniform);
+}
 
 const pm_route_ops pm_route_uniform = {
     .route = PM_ROUTE_UNIFORM,

@@ -30,6 +30,14 @@ typedef struct pm_series {
     int64_t phase, jumps;  /* counts there */
 } pm_series;
 
+/* Blows of two contacts by turns, without a loss: turns.c. */
+typedef struct pm_turns {
+    int n;               /* so many in a row */
+    int contact[2];      /* of the last one and the one before */
+    double time[3];      /* s, of the last ones */
+    double *along, *off; /* [nq] each, of the wedge */
+} pm_turns;
+
 /* A watched program that is a parabola of the time, or whose square is one. */
 typedef struct pm_parabola {
     int program, squared;
@@ -57,12 +65,14 @@ typedef struct pm_uniform {
     int nwatched;
     double stride; /* longest next step, s */
     /* integrals */
-    double *rate;            /* [3][nz] at begin, middle and end */
-    double *z0;              /* [nz] at the begin of the step */
-    int rests;               /* nothing acts: none of them changes in the phase */
-    double *v_look, *q_look; /* [nq] of the place that is looked at */
-    double looked;           /* its time by pm_uniform_look; NaN: it is another place */
+    double *rate; /* [3][nz] at begin, middle and end */
+    double *z0;   /* [nz] at the begin of the step */
+    int rests;    /* nothing acts: none of them changes in the phase */
+    double *v_look,
+        *q_look;   /* [nq + 3], [nq] of the place that is looked at; the ground's velocities follow */
+    double looked; /* its time by pm_uniform_look; NaN: it is another place */
     pm_series series;
+    pm_turns turns;
 } pm_uniform;
 
 /* uniform_motion.c: the frame looks at `t` seconds after the begin of the phase; the same with all accelerations and
@@ -121,5 +131,13 @@ int pm_zeno_may_leap(const pm_uniform *uniform);
 /* If the rest of the series of `contact`, which strikes next after `flight` seconds, can be taken at once before t_limit:
  * w->state goes to its limit. */
 int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, int *taken);
+
+/* turns.c: nothing has been struck; the instant before this phase was one blow of the contact and nothing else, at the velocities
+ * before[nq]. */
+void pm_turns_reset(pm_uniform *uniform);
+void pm_turns_follow(pm_workspace *w, int contact, const double *before);
+/* `contact` would be struck next, after `flight` s: if two contacts are struck by turns without a loss, w->state goes to right before
+ * one of their blows to come, before t_limit. */
+int pm_turns_leap(pm_workspace *w, int contact, double flight, double t_limit, int *taken);
 
 #endif

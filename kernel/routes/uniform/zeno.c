@@ -88,8 +88,10 @@ void pm_zeno_begin(pm_workspace *w)
     if (!follows_a_blow(w) ||
         pm_capture_holds(w->model, &w->state)) { /* what a captured pair takes over is not thought through */
         pm_zeno_reset(w->uniform);
+        pm_turns_reset(w->uniform);
         return;
     }
+    pm_turns_follow(w, x->pending, x->before);
     double *change = x->spare;
     const int same = x->contact == x->pending;
     const double flight = same ? x->pending_flight : 0; /* that phase began with the blow before */
@@ -107,22 +109,6 @@ typedef struct pm_rest {
     int contact;
     double e, flight, time; /* T */
 } pm_rest;
-
-static int is_awaited(const pm_model *m, const pm_firing *firing, int event)
-{
-    const int64_t count = firing->count[event];
-    for (int i = 0; i < m->nask; i++) {
-        const int32_t *e = PM_ASK_ROW(m, i);
-        if (e[PM_ASK_EVENT_INDEX] != event) continue;
-        if (e[PM_ASK_KIND] == PM_ASK_EVENT && e[PM_ASK_NTH] > count) return 1;
-        if (e[PM_ASK_KIND] == PM_ASK_EACH && e[PM_ASK_COUNT] > count) return 1;
-    }
-    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
-        const int32_t *e = PM_UNTIL_ROW(m, i);
-        if (e[PM_UNTIL_EVENT] == event && e[PM_UNTIL_NTH] > count) return 1;
-    }
-    return 0;
-}
 
 /* Values of a program in the flight that comes, and what the rest of the series may give: each flight repeats the one
  * before on a smaller scale. */
@@ -188,7 +174,7 @@ static int triggers_are_clear(pm_workspace *w, const pm_rest *r)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        const int awaited = is_awaited(w->model, &w->firing, e[PM_TRIGGER_EVENT]);
+        const int awaited = pm_ask_awaits(w->model, &w->firing, e[PM_TRIGGER_EVENT], INT64_MAX);
         pm_outlook x;
         if (awaited && e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == r->contact) return 0;
         if (may_fire(w, r, i, &x) && (awaited || !fires_alike(w, r, i, &x))) return 0;
