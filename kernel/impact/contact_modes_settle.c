@@ -12,6 +12,7 @@
 #include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "impact/contact_modes.h"
+#include "impact/contact_modes_parts.h"
 #include "impact/impact_parts.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -30,8 +31,7 @@ static double force_size(const pm_frame *frame, const pm_active_set *active)
     return fmax(sum, pm_case_force(frame->model, frame->numbers));
 }
 
-/* The pair of an open contact accelerates towards each other, by more than so much of the natural acceleration. */
-static int approaches_at(const pm_workspace *w, int slot, double part)
+int pm_contact_modes_approach(const pm_workspace *w, int slot, double part)
 {
     const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, slot);
     return pm_constraint_times(&w->frame, &normal, w->frame.a) - normal.gamma <
@@ -43,7 +43,7 @@ static int approaches(const pm_workspace *w)
 {
     for (int i = 0; i < w->model->nslot; i++)
         if (w->state.slot[i].mode == PM_OPEN && w->instant.slot_released[i] == PM_LET_GO &&
-            approaches_at(w, i, PM_PULLS))
+            pm_contact_modes_approach(w, i, PM_PULLS))
             return 1;
     return 0;
 }
@@ -63,7 +63,7 @@ static int shared_stand(pm_workspace *w, double size)
 
 /* A contact whose normal the others all but hold is open by rounding: to close it the projection has gone to another place, where it
  * would be closed, or there is none near.  Modes that stand there do not stand here. */
-static int is_put_elsewhere(const pm_workspace *w)
+int pm_contact_modes_is_put_elsewhere(const pm_workspace *w)
 {
     double most = 0;
     for (int i = 0; i < w->model->nq; i++)
@@ -84,7 +84,10 @@ static int is_solved_by_rounding(const pm_workspace *w)
     return 0;
 }
 
-static int are_in_doubt(const pm_workspace *w) { return is_solved_by_rounding(w) || is_put_elsewhere(w); }
+int pm_contact_modes_are_in_doubt(const pm_workspace *w)
+{
+    return is_solved_by_rounding(w) || pm_contact_modes_is_put_elsewhere(w);
+}
 
 static uint32_t modes_of(const pm_workspace *w)
 {
@@ -98,7 +101,7 @@ static uint32_t modes_of(const pm_workspace *w)
 static int stands(pm_workspace *w, double size)
 {
     const int active = w->evidence.active;
-    w->evidence.active = active && !are_in_doubt(w);
+    w->evidence.active = active && !pm_contact_modes_are_in_doubt(w);
     pm_evidence_try(&w->evidence, modes_of(w));
     const int stand = shared_stand(w, size) &&
                       pm_contact_modes_pulling(w, w->frame.lambda, PM_SITE_PULLS, size) == PM_NONE &&
@@ -125,7 +128,7 @@ static void keep(pm_workspace *w)
     memcpy(w->instant.velocity, w->state.v, (size_t)w->model->nq * sizeof(double));
 }
 
-static void take_back(pm_workspace *w)
+void pm_contact_modes_take_back(pm_workspace *w)
 {
     memcpy(w->state.q, w->instant.place, (size_t)w->model->nq * sizeof(double));
     memcpy(w->state.v, w->instant.velocity, (size_t)w->model->nq * sizeof(double));
@@ -183,9 +186,9 @@ static int are_absurd(const pm_workspace *w, double size)
     return 0;
 }
 
-static int stand_now(pm_workspace *w)
+int pm_contact_modes_stand(pm_workspace *w)
 {
-    take_back(w);
+    pm_contact_modes_take_back(w);
     return !pm_contact_modes_accelerate(w) && stands(w, force_size(&w->frame, &w->active));
 }
 
@@ -195,56 +198,11 @@ static int stand_now(pm_workspace *w)
 static int reverse_nearly(pm_workspace *w, int from, int most)
 {
     for (int i = from; i < w->model->nslot && most > 0; i++) {
-        take_back(w);
+        pm_contact_modes_take_back(w);
         if (!reverse_contact(w, i)) continue;
-        if (stand_now(w) || reverse_nearly(w, i + 1, most - 1)) return 1;
+        if (pm_contact_modes_stand(w) || reverse_nearly(w, i + 1, most - 1)) return 1;
         w->state.slot[i].mode = PM_STICK;
     }
-    return 0;
-}
-
-/* ---- contacts that others hold ---- */
-typedef struct pm_few_slots {
-    int slot[PM_LET_GO_FEW], n;
-} pm_few_slots;
-
-static int few_approach(const pm_workspace *w, const pm_few_slots *few)
-{
-    for (int i = 0; i < few->n; i++)
-        if (approaches_at(w, few->slot[i], PM_APART_IN_TIME)) return 1;
-    return 0;
-}
-
-/* Up to `most` more contacts, from this slot on, are let go: 1 where all stand then. */
-static int let_few_go_from(pm_workspace *w, int from, int most, pm_few_slots *few)
-{
-    for (int i = from; i < w->model->nslot; i++) {
-        pm_slot *s = &w->state.slot[i];
-        const int32_t mode = s->mode;
-        const unsigned char released = w->instant.slot_released[i];
-        if (mode == PM_OPEN || mode == PM_CAPTURED) continue;
-        s->mode = PM_OPEN;
-        w->instant.slot_released[i] = 0;
-        few->slot[few->n++] = i;
-        const int stand = most > 1 ? let_few_go_from(w, i + 1, most - 1, few)
-                                   : stand_now(w) && !is_put_elsewhere(w) && !few_approach(w, few);
-        few->n--;
-        w->instant.slot_released[i] = stand ? PM_LET_GO : released;
-        if (stand) return 1;
-        s->mode = mode;
-    }
-    return 0;
-}
-
-/* Where constraints depend on each other for an instant, the others may hold a contact to the first order, which they move apart
- * to the second: it is let go, and as few as may be.  1 where all stand then. */
-static int let_few_go(pm_workspace *w)
-{
-    for (int most = 1; most <= PM_LET_GO_FEW; most++) {
-        pm_few_slots few = {.n = 0};
-        if (let_few_go_from(w, 0, most, &few)) return 1;
-    }
-    take_back(w);
     return 0;
 }
 
@@ -253,7 +211,7 @@ static void reverse_few(pm_workspace *w)
 {
     for (int most = 1; most <= PM_REVERSED; most++)
         if (reverse_nearly(w, 0, most)) return;
-    take_back(w);
+    pm_contact_modes_take_back(w);
     (void)pm_contact_modes_accelerate(w);
 }
 
@@ -339,9 +297,15 @@ static int stay(pm_workspace *w, double size, int changed)
 /* Others instead of them; PM_SINGULAR where they are so and there are no others. */
 static int solve(pm_workspace *w, int singular, int *changed)
 {
-    if (singular) take_back(w);
+    if (singular) pm_contact_modes_take_back(w);
     const int status = pm_contact_modes_solve(w, changed);
     return singular && (status || !*changed) ? PM_SINGULAR : status;
+}
+
+/* Where constraints depend on each other for an instant contacts give way that the others hold to the first order alone. */
+static int some_give_way(pm_workspace *w)
+{
+    return pm_contact_modes_let_few_go(w) || pm_contact_modes_let_few_slip(w);
 }
 
 /* Whether a contact goes over the end of its edge while others hold its pair for this instant. */
@@ -370,12 +334,12 @@ int pm_contact_modes_settle(pm_workspace *w)
     int solved = 0;
     keep(w);
     for (int i = 0, changed = 1; i < most; i++) {
-        take_back(w);
+        pm_contact_modes_take_back(w);
         int status = pm_contact_modes_accelerate(w);
         if (!status && i == 0 && all_are_free(w)) return PM_OK;
         if (leaves_end(w, &status)) continue;
-        const int in_doubt = !status && !w->phase.kinematic && are_in_doubt(w);
-        if ((status == PM_SINGULAR || in_doubt) && let_few_go(w)) return settled(w, 1);
+        const int in_doubt = !status && !w->phase.kinematic && pm_contact_modes_are_in_doubt(w);
+        if ((status == PM_SINGULAR || in_doubt) && some_give_way(w)) return settled(w, 1);
         if (in_doubt) status = pm_contact_modes_accelerate(w);
         if (status == PM_SINGULAR && pm_contact_modes_reverse_joint(w))
             status = pm_contact_modes_accelerate(w);

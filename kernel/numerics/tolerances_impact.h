@@ -14,6 +14,7 @@
 #define PM_PUT_ELSEWHERE 1e-7 /* of the scene's size: so far no rounding of gaps moves bodies; larger: energy is lost, smaller: contacts that close from a distance are let go */
 #define PM_STAYS_OPEN 1e-12 /* likewise: so much no projection that ends leaves open; larger: likewise, smaller: rounding far from the origin is taken for it */
 #define PM_APART_IN_TIME 1e-6 /* of the natural acceleration: towards each other no more, where others hold a pair to the first order; larger: contacts that press are let go */
+#define PM_SLIP_HELD 1e-13 /* of the speed: where others hold a slip to the first order, so much of it is one; larger: it is told by the place ahead, smaller: by rounding */
 #define PM_MODES_ROUNDS 8 /* of modes found anew, where friction of joints goes with their load; more would only put off the failure */
 #define PM_PROBLEM_TIE 1e-10 /* of the scaled loads, at least 1: none; larger: contacts that pull or part are kept closed */
 #define PM_PROBLEM_LEMKE_TIE 1e-9 /* likewise of Lemke's loads, which only propose modes; likewise */

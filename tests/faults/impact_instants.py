@@ -1,8 +1,32 @@
-"""Faults planted in `kernel/impact/`: actions, drives, switches and ends of tables at an instant."""
+"""Faults planted in `kernel/impact/`: slips that others hold, actions, drives, switches, ends of tables."""
 
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "modes: a slip that others hold for an instant sticks",
+        "impact/contact_modes_settle.c",
+        "return pm_contact_modes_let_few_go(w) || pm_contact_modes_let_few_slip(w);",
+        "return pm_contact_modes_let_few_go(w);",
+    ),
+    Fault(
+        "modes: which way a slip goes that others hold the present place alone tells",
+        "impact/contact_modes_held.c",
+        "slip = slip_ahead(w, slot, PM_NEIGHBOUR);",
+        "(void)PM_NEIGHBOUR;",
+    ),
+    Fault(
+        "modes: which way a slip goes that others hold the place ahead alone tells",
+        "impact/contact_modes_held.c",
+        "if (fabs(slip) <= PM_SLIP_HELD) slip = slip_ahead",
+        "slip = slip_ahead",
+    ),
+    Fault(
+        "modes: a slip that others hold goes the way of its friction",
+        "impact/contact_modes_held.c",
+        "return slip > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;",
+        "return slip > 0 ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;",
+    ),
     Fault(
         "to close a gap of rounding bodies are put elsewhere",
         "impact/contact_modes_settle.c",

@@ -11,15 +11,15 @@ FAULTS = [
     ),
     Fault(
         "of contacts that depend on others for an instant one alone is let go",
-        "impact/contact_modes_settle.c",
+        "impact/contact_modes_held.c",
         "for (int most = 1; most <= PM_LET_GO_FEW; most++)",
         "for (int most = 1; most <= 1; most++)",
     ),
     Fault(
         "modes: what is held for an instant alone is kept",
         "impact/contact_modes_settle.c",
-        "if ((status == PM_SINGULAR || in_doubt) && let_few_go(w)) return settled(w, 1);",
-        "if (in_doubt && let_few_go(w)) return settled(w, 1);",
+        "if ((status == PM_SINGULAR || in_doubt) && some_give_way(w)) return settled(w, 1);",
+        "if (in_doubt && some_give_way(w)) return settled(w, 1);",
     ),
     Fault(
         "modes: what rounding solves where contacts are held for an instant is a motion",
@@ -48,7 +48,7 @@ FAULTS = [
     Fault(
         "settle: modes that were tried leave their projection behind",
         "impact/contact_modes_settle.c",
-        "take_back(w);\n        int status = pm_contact_modes_accelerate(w);",
+        "pm_contact_modes_take_back(w);\n        int status = pm_contact_modes_accelerate(w);",
         "int status = pm_contact_modes_accelerate(w);",
     ),
     Fault(

@@ -230,6 +230,11 @@ def test_a_number_is_always_the_same_throw() -> None:
         (504979, ""),  # of slips that hang on each other one is below rounding until another has ended
         (501531, ""),
         (510444, ""),  # a corner parts as a series of blows at another one is cut off: that is no decision
+        (532431, ""),  # a box flat on a wall: a corner on the other wall slips to the second order
+        (532431, "rk"),
+        (532431, "ida"),
+        (2008459, ""),  # likewise, and it slips still back
+        (2052044, ""),
         (510507, ""),  # a coarse run called bounces endless of a box that was struck again later on
     ],
 )
