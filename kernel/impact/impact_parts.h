@@ -26,7 +26,8 @@ typedef struct pm_impact_given {
 
 typedef struct pm_blow {
     unsigned char *share; /* [nslot] enum pm_share */
-    unsigned char *held;  /* [nslot] closed after the blow, whatever it would do */
+    unsigned char *
+        held; /* [nslot] closed after the blow, whatever it would do: enum pm_contact_mode that is tried first, else 0 */
     unsigned char *apart; /* [ncontact] enum pm_apart */
     int32_t *resting;     /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
     int32_t *trial;       /* [nslot] enum pm_contact_mode in the blow of what takes part */
@@ -92,13 +93,15 @@ void pm_impact_respond_free(pm_workspace *w, pm_contact_system *x);
 void pm_impact_pose(pm_workspace *w, pm_blow *b);
 /* What the problem says where it has `n` motions, not one; `at`: the listed contact that it is said of. */
 int pm_impact_fail(pm_workspace *w, const pm_contact_system *x, int n, int at);
+/* The blow that was found and recorded would gain energy: it is mixed with the one without restitution until it does not,
+ * and counted (PM_COUNT_LIMITED_BLOWS). */
+int pm_impact_limit(pm_workspace *w, pm_blow *b);
+
+/* ---- impact_held.c: several contacts in a blow too slow to be seen ---- */
 /* 1 if it is one of the last of a series. */
 int pm_impact_is_slow(const pm_workspace *w, const pm_blow *b);
 /* A blow so slow that nothing could be seen of how its contacts part: all of them are held; *holds: whether it is one. */
 int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds);
-/* The blow that was found and recorded would gain energy: it is mixed with the one without restitution until it does not,
- * and counted (PM_COUNT_LIMITED_BLOWS). */
-int pm_impact_limit(pm_workspace *w, pm_blow *b);
 
 /* ---- impact_followed.c: several contacts whose blow is followed ---- */
 /* 1 if a listed contact has a law that is followed. */

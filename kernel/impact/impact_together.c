@@ -18,7 +18,6 @@
 #include "equations/shared_reading.h"
 #include "events/event.h"
 #include "events/last_bounce.h"
-#include "impact/contact_modes.h"
 #include "impact/contact_system.h"
 #include "impact/impact.h"
 #include "impact/impact_parts.h"
@@ -236,99 +235,4 @@ int pm_impact_together(pm_workspace *w, pm_blow *b)
 {
     b->several = !b->ends_bounce;
     return solve(w, b, 0);
-}
-
-static int is_closed_in(const pm_blow *b, int slot)
-{
-    return (b->share[slot] != PM_OUT || b->resting[slot] != PM_OPEN) && b->trial[slot] != PM_CAPTURED;
-}
-
-static int closed_in(const pm_workspace *w, const pm_blow *b)
-{
-    int n = 0;
-    for (int i = 0; i < w->model->nslot; i++) n += is_closed_in(b, i);
-    return n;
-}
-
-/* A body rocks on two contacts or more; one alone bounces (events/last_bounce.h). */
-static int one_rocks(const pm_workspace *w, const pm_blow *b)
-{
-    int parts = 0;
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (!is_closed_in(b, i)) continue;
-        const pm_constraint normal = pm_contact_modes_normal(&w->frame, &w->state, i);
-        const double rate = pm_constraint_times(&w->frame, &normal, b->after) - normal.rate;
-        parts |= pm_last_bounce_is_held(w, pm_contact_of_slot(w->model, i), rate);
-    }
-    return parts;
-}
-
-int pm_impact_is_slow(const pm_workspace *w, const pm_blow *b)
-{
-    for (int i = 0; i < w->model->nslot; i++)
-        if (b->share[i] == PM_STRUCK || b->share[i] == PM_DROPPED)
-            if (pm_last_bounce_is_slow(w, pm_contact_of_slot(w->model, i), b->approach)) return 1;
-    return 0;
-}
-
-static double slip_left(const pm_workspace *w, const pm_blow *b, int slot)
-{
-    const pm_constraint tangent = pm_contact_modes_tangent(&w->frame, &w->state, slot);
-    return pm_constraint_times(&w->frame, &tangent, b->after) - tangent.rate;
-}
-
-/* The mode in which a contact is held: what slips faster than the blow is, and slips after it, goes on slipping. */
-static int held_mode(const pm_workspace *w, const pm_blow *b, int slot)
-{
-    const int contact = pm_contact_of_slot(w->model, slot);
-    const double slip = pm_contact_member_slip(&w->frame, contact, w->state.slot[slot].member);
-    const int mode = pm_impact_trial_mode(&w->frame, slot);
-    if (mode != PM_STICK || pm_contact_friction(w->model, contact) == PM_FRICTION_ROUGH) return mode;
-    const double left = slip_left(w, b, slot);
-    if (fabs(slip) <= b->approach || fabs(left) <= pm_contact_speed(&w->frame)) return PM_STICK;
-    return left > 0 ? PM_SLIDE_FORWARD : PM_SLIDE_BACKWARD;
-}
-
-/* Friction goes with what pushes: where a contact is held against its parting it has none; and it ends a slip, which it does not
- * turn back.  1 if any is mended so. */
-static int mend_held(const pm_workspace *w, pm_blow *b)
-{
-    int mended = 0;
-    for (int i = 0; i < w->model->nslot; i++) {
-        const int at = w->active.slot_normal[i], forward = b->trial[i] == PM_SLIDE_FORWARD;
-        if (!b->held[i] || !pm_contact_modes_slides(b->trial[i])) continue;
-        const double slip = slip_left(w, b, i);
-        if (at >= 0 && w->saddle.rhs[at] < 0)
-            b->trial[i] = PM_SMOOTH;
-        else if ((forward ? slip : -slip) < -pm_contact_speed(&w->frame))
-            b->trial[i] = PM_STICK;
-        mended |= !pm_contact_modes_slides(b->trial[i]);
-    }
-    return mended;
-}
-
-/* Each is mended once. */
-static int solve_held(pm_workspace *w, pm_blow *b)
-{
-    int status;
-    do status = pm_impact_trial_solve(w, b);
-    while (!status && mend_held(w, b));
-    return status;
-}
-
-int pm_impact_hold_rocking(pm_workspace *w, pm_blow *b, int *holds)
-{
-    *holds = closed_in(w, b) > 1 && pm_impact_is_slow(w, b) && one_rocks(w, b);
-    if (!*holds) return PM_OK;
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (!is_closed_in(b, i)) continue;
-        b->trial[i] = held_mode(w, b, i);
-        b->held[i] = 1;
-        if (b->share[i] != PM_STRUCK) b->share[i] = b->share[i] == PM_DROPPED ? PM_STRUCK : PM_JOINED;
-    }
-    b->equations = 1;
-    b->followed = b->several = 0;
-    const int status = solve_held(w, b);
-    if (!status) pm_impact_end_record(w);
-    return status;
 }

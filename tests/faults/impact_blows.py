@@ -121,6 +121,25 @@ FAULTS = [
         "0};",
     ),
     Fault(
+        "held: what pushes without friction goes on slipping",
+        "impact/impact_held.c",
+        "if (status || pushes_without_friction(w, b) == PM_NONE || solve_counted(w, b)) return status;\n"
+        "    return solve_one_by_one(w, b);",
+        "return status;",
+    ),
+    Fault(
+        "held: the friction of what pulls tells which slips turn back",
+        "impact/impact_held.c",
+        "return let_pulled_go(w, b) || stop_what_turns_back(w, b);",
+        "return let_pulled_go(w, b) | stop_what_turns_back(w, b);",
+    ),
+    Fault(
+        "held: what pushes without friction sticks, though others could",
+        "impact/impact_held.c",
+        "for (int sticks = 0; sticks <= n; sticks++)",
+        "for (int sticks = n; sticks <= n; sticks++)",
+    ),
+    Fault(
         "together: restitution left out",
         "impact/impact_together.c",
         "pm_last_bounce_restitution(w, contact, before) * fmin(before, 0)",
