@@ -212,12 +212,14 @@ void pm_bounce_series_press(const pm_workspace *w, int contact)
     if (x->over == INFINITY) x->over = -INFINITY;
 }
 
-void pm_bounce_series_strike(const pm_workspace *w, int contact)
+void pm_bounce_series_strike(const pm_workspace *w, int contact, double approach)
 {
     pm_bounce_series *x = &w->event->series[contact];
     if (x->known > 0 && x->struck[0] == w->state.t) return;
     memmove(x->struck + 1, x->struck, (PM_SERIES_BLOWS - 1) * sizeof *x->struck);
     x->struck[0] = w->state.t;
+    x->approach[1] = x->approach[0];
+    x->approach[0] = approach;
     x->known += x->known < PM_SERIES_BLOWS;
     x->ends = 0;
     pm_bounce_series_press(w, contact);
@@ -254,13 +256,20 @@ static double off(const pm_bounce_series *x)
     return fabs(own_flight(x, 0) / own_flight(x, 1) - own_flight(x, 1) / own_flight(x, 2));
 }
 
-/* Its flights hardly shrink, and not by a ratio that is known. */
+/* From blow to blow its speed shrinks by e, or by less where it gains some in flight: as the bodies still slip. */
+static double slower(const pm_workspace *w, int contact)
+{
+    const pm_bounce_series *x = &w->event->series[contact];
+    const double e = pm_contact_restitution(&w->frame, contact), ratio = x->approach[0] / x->approach[1];
+    return 1 - fmin(fmax(e, ratio), 1);
+}
+
+/* Its flights hardly shrink though its speeds do, and not by a ratio that is known. */
 int pm_bounce_series_is_endless(const pm_workspace *w, int contact)
 {
     const pm_bounce_series *x = &w->event->series[contact];
     if (x->own < 3 || x->ratio > 0) return 0;
-    const double e = pm_contact_restitution(&w->frame, contact);
-    return own_flight(x, 1) - own_flight(x, 0) < PM_SERIES_SHRINKS * (1 - e) * own_flight(x, 1);
+    return own_flight(x, 1) - own_flight(x, 0) < PM_SERIES_SHRINKS * slower(w, contact) * own_flight(x, 1);
 }
 
 static double sum(double flight, double ratio) { return flight * ratio / (1 - ratio); }

@@ -9,8 +9,8 @@ int pm_bounce_series_create(pm_workspace *w);
 void pm_bounce_series_begin(const pm_workspace *w);
 /* Nothing is known of the contact's blows any more. */
 void pm_bounce_series_forget(const pm_workspace *w, int contact);
-/* The contact is struck now. */
-void pm_bounce_series_strike(const pm_workspace *w, int contact);
+/* The contact is struck now, at this speed, m/s. */
+void pm_bounce_series_strike(const pm_workspace *w, int contact, double approach);
 /* The blows of this instant are done: a contact that was struck and stays closed has bounced for the last time that is
  * computed.  Where the route path is asked for, which knows no time, nothing waits for the end of the series. */
 void pm_bounce_series_cut(pm_workspace *w);

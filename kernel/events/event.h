@@ -77,6 +77,7 @@ typedef struct pm_event_function {
 typedef struct pm_bounce_series {
     int known;                      /* of these times */
     double struck[PM_SERIES_BLOWS]; /* s, the latest first */
+    double approach[2];             /* m/s: how fast, the last two times */
     double ratio;                   /* of the flights of one cycle to those of the one before; 0: not known */
     int several;                    /* others have their part in the cycle */
     double known_at;                /* s: the blow that told it */

@@ -155,7 +155,7 @@ static int find_touching(pm_workspace *w, pm_blow *b, int *struck)
             b->ends_bounce |= x.rests;
             if (x.approaches) {
                 pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
-                pm_bounce_series_strike(w, i);
+                pm_bounce_series_strike(w, i, fabs(x.rate));
             }
             ++*struck;
         }

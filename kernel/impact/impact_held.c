@@ -78,36 +78,21 @@ static int slides_back(const pm_workspace *w, const pm_blow *b, int slot)
     return (b->trial[slot] == PM_SLIDE_FORWARD ? slip : -slip) < -pm_contact_speed(&w->frame);
 }
 
-/* Where a contact is held against its parting it has no friction.  1 if there was any. */
-static int let_pulled_go(const pm_workspace *w, pm_blow *b)
+/* Where a contact is held against its parting it has no friction; and that ends a slip, which it does not turn back.  1 if any is
+ * mended so. */
+static int mend_held(const pm_workspace *w, pm_blow *b)
 {
     int mended = 0;
     for (int i = 0; i < w->model->nslot; i++) {
         const int at = w->active.slot_normal[i];
-        if (!b->held[i] || !pm_contact_modes_slides(b->trial[i]) || at < 0 || !(w->saddle.rhs[at] < 0))
-            continue;
-        b->trial[i] = PM_SMOOTH;
-        mended = 1;
+        if (!b->held[i] || !pm_contact_modes_slides(b->trial[i])) continue;
+        if (at >= 0 && w->saddle.rhs[at] < 0)
+            b->trial[i] = PM_SMOOTH;
+        else if (slides_back(w, b, i))
+            b->trial[i] = PM_STICK;
+        mended |= !pm_contact_modes_slides(b->trial[i]);
     }
     return mended;
-}
-
-/* Friction ends a slip, which it does not turn back. */
-static int stop_what_turns_back(const pm_workspace *w, pm_blow *b)
-{
-    int mended = 0;
-    for (int i = 0; i < w->model->nslot; i++) {
-        if (!b->held[i] || !pm_contact_modes_slides(b->trial[i]) || !slides_back(w, b, i)) continue;
-        b->trial[i] = PM_STICK;
-        mended = 1;
-    }
-    return mended;
-}
-
-/* Friction of what pulls drives the others, too: how they slip counts when that is mended. */
-static int mend_held(const pm_workspace *w, pm_blow *b)
-{
-    return let_pulled_go(w, b) || stop_what_turns_back(w, b);
 }
 
 /* Each is mended once. */
@@ -211,7 +196,7 @@ static int solve_one_by_one(pm_workspace *w, pm_blow *b)
 static int solve_held(pm_workspace *w, pm_blow *b)
 {
     const int status = solve_mended(w, b);
-    if (status || pushes_without_friction(w, b) == PM_NONE || solve_counted(w, b)) return status;
+    if (status || all_obey(w, b) || solve_counted(w, b)) return status;
     return solve_one_by_one(w, b);
 }
 

@@ -181,6 +181,18 @@ FAULTS = [
         "1",
     ),
     Fault(
+        "series: what gains speed in flight bounces for ever",
+        "events/bounce_series.c",
+        "return 1 - fmin(fmax(e, ratio), 1);",
+        "return 1 - e + 0 * ratio;",
+    ),
+    Fault(
+        "series: what speeds up bounces to an end",
+        "events/bounce_series.c",
+        "return 1 - fmin(fmax(e, ratio), 1);",
+        "return 1 - fmax(e, ratio);",
+    ),
+    Fault(
         "series: what is left of it takes no time",
         "events/bounce_series.c",
         "return flight * ratio / (1 - ratio);",

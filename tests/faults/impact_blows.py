@@ -123,15 +123,9 @@ FAULTS = [
     Fault(
         "held: what pushes without friction goes on slipping",
         "impact/impact_held.c",
-        "if (status || pushes_without_friction(w, b) == PM_NONE || solve_counted(w, b)) return status;\n"
+        "if (status || all_obey(w, b) || solve_counted(w, b)) return status;\n"
         "    return solve_one_by_one(w, b);",
         "return status;",
-    ),
-    Fault(
-        "held: the friction of what pulls tells which slips turn back",
-        "impact/impact_held.c",
-        "return let_pulled_go(w, b) || stop_what_turns_back(w, b);",
-        "return let_pulled_go(w, b) | stop_what_turns_back(w, b);",
     ),
     Fault(
         "held: what pushes without friction sticks, though others could",

@@ -29,7 +29,7 @@ static void together(int n, const double ratio[BLOWS])
     for (int k = 0; k < BLOWS; k++) {
         const int settled = k > 2 && fabs(ratio[k] - ratio[k - 1]) < 1e-6;
         w->state.t += flight;
-        for (int i = 0; i < n; i++) pm_bounce_series_strike(w, i);
+        for (int i = 0; i < n; i++) pm_bounce_series_strike(w, i, 1);
         for (int i = 0; i < n; i++) {
             EQUAL(pm_bounce_series_is_settled(w, i), settled);
             EQUAL(pm_bounce_series_is_of_several(w, i), settled && n > 1);
