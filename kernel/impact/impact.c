@@ -123,11 +123,6 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     return 1;
 }
 
-int pm_impact_one_by_one(const pm_model *m)
-{
-    return PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_ONE_BY_ONE;
-}
-
 /* What captures strikes with any velocity. */
 static int is_blow(const pm_model *model, int contact, const pm_touch *x)
 {

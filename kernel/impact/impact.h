@@ -13,8 +13,6 @@ int pm_impact_create(pm_workspace *w);
 int pm_impact(pm_workspace *w, int *jumped);
 /* Blows come one by one, and there is a next one. */
 int pm_impact_goes_on(pm_workspace *w);
-/* The settings want blows one by one. */
-int pm_impact_one_by_one(const pm_model *m);
 /* Makes the velocities ones that all that holds allows: joints, contacts that rest and would approach, rough ones. */
 int pm_impact_hold(pm_workspace *w);
 /* A contact whose slip has come so far that its friction all but draws it together, where no step goes on: its slot, or

@@ -65,6 +65,8 @@ static inline int pm_blow_has(const pm_blow *b, int slot)
 }
 
 /* ---- impact_trial.c: the constraints of a trial, and its impulses ---- */
+/* The settings want blows one by one. */
+int pm_impact_one_by_one(const pm_model *m);
 /* Mode in which the contact of a slot enters a blow. */
 int32_t pm_impact_trial_mode(const pm_frame *frame, int slot);
 /* The active constraints, their impulses (w->saddle.rhs) and b->after, of the shares and modes that are tried. */

@@ -19,7 +19,6 @@
 #include "events/event.h"
 #include "events/last_bounce.h"
 #include "impact/contact_system.h"
-#include "impact/impact.h"
 #include "impact/impact_parts.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"

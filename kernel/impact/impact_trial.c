@@ -13,7 +13,6 @@
 #include "equations/saddle.h"
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
-#include "impact/impact.h"
 #include "impact/impact_parts.h"
 #include "numerics/minmax.h"
 #include "state/evidence.h"
@@ -183,6 +182,11 @@ int32_t pm_impact_trial_mode(const pm_frame *frame, int slot)
 }
 
 /* ---- one contact alone ---- */
+int pm_impact_one_by_one(const pm_model *m)
+{
+    return PM_SETTING(m, PM_SETTING_SIMULTANEOUS) == PM_SIMULTANEOUS_ONE_BY_ONE;
+}
+
 /* A contact that does not take part, and whose pair would approach. */
 static int one_approaches(pm_workspace *w, const pm_blow *b)
 {
