@@ -319,13 +319,40 @@ static int check_progress(pm_workspace *w)
     return pm_instant_jams(w, status);
 }
 
+static int reads_accelerations(const pm_model *m, int trigger)
+{
+    const int32_t *e = PM_TRIGGER_ROW(m, trigger);
+    return PM_EVENT_ROW(m, e[PM_TRIGGER_EVENT])[PM_EVENT_EFFECT] != PM_EFFECT_NONE ||
+           (e[PM_TRIGGER_PROGRAM] != PM_NONE && m->programs.level[e[PM_TRIGGER_PROGRAM]] == PM_LEVEL_DYNAMIC);
+}
+
+/* Whether accelerations before what happens now are asked for: before a blow on a path as a rule they are not, and the modes after
+ * it find their own. */
+static int looks_at_accelerations(const pm_workspace *w)
+{
+    const pm_model *m = w->model;
+    const pm_event_set *e = w->event;
+    int strikes = 0;
+    if (w->evidence.active || w->phase.route->in_time || w->phase.kinematic || m->acts || m->nfriction > 0 ||
+        m->nteeth > 0 || w->ask->instant_level == PM_LEVEL_DYNAMIC)
+        return 1;
+    for (int i = 0; i < e->nfunction; i++) {
+        if (!e->hit[i] || e->function[i].kind == FUNCTION_TRIGGER) continue;
+        if (e->function[i].kind != FUNCTION_GAP) return 1;
+        strikes = 1;
+    }
+    for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
+        if (reads_accelerations(m, i)) return 1;
+    return !strikes;
+}
+
 int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_frame_look_state(&w->frame, &w->state);
     int status = check_progress(w);
     if (!status) status = pm_history_append(w, 1);
-    if (!status) status = pm_saddle_accelerate(w);
+    if (!status && looks_at_accelerations(w)) status = pm_saddle_accelerate(w);
     if (!status) status = pm_meeting_reach(w);
     if (!status) status = pm_switches_check(w);
     if (!status) status = pm_switches_settle(w, 0);

@@ -230,4 +230,16 @@ FAULTS = [
         "== PM_FRICTION_ROUGH) *clashes = 1;",
         "== PM_FRICTION_ROUGH) (void)clashes;",
     ),
+    Fault(
+        "instant: what is asked before a blow has no accelerations",
+        "impact/instant.c",
+        "m->nteeth > 0 || w->ask->instant_level == PM_LEVEL_DYNAMIC)",
+        "m->nteeth > 0)",
+    ),
+    Fault(
+        "instant: triggers before a blow have no accelerations",
+        "impact/instant.c",
+        "if (reads_accelerations(m, i)) return 1;",
+        "(void)reads_accelerations(m, i);",
+    ),
 ]

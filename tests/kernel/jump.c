@@ -167,6 +167,45 @@ static void strikes_without_end(int route)
     scene_free(s);
 }
 
+/* ---- what holds before a blow ---- */
+/* A rod swings down to a wall below its pin, whose force drops in the blow. */
+static scene *swings_to_wall(int route, int *strike, int *force)
+{
+    scene *s = scene_create();
+    const int rod = scene_body(s, 1, 1.0 / 12, 0.5, 0, 0);
+    scene_joint(s, PM_JOINT_PIN, scene_point(s, rod, -0.5, 0), scene_point(s, PM_GROUND, 0, 0), 0);
+    const int end = scene_circle(s, scene_point(s, rod, 0.5, 0), 0.1);
+    const int wall =
+        scene_contact(s, PM_CONTACT_LINE, end, scene_floor(s, -2 * atan(1)), 0, 0.5, PM_FRICTION_SMOOTH, 0);
+    *strike = scene_on(s, PM_TRIGGER_STRIKE, wall);
+    *force = scene_part(s, PM_MEASURE_JOINT_FORCE, 0, PM_PART_Y);
+    scene_start_omega(s, rod, 0);
+    scene_until_time(s, 0.8);
+    *scene_setting(s, PM_SETTING_ROUTE) = routes[route];
+    return s;
+}
+
+/* Where the end touches, sin of the angle s: omega^2 = 3 g s/l, and the force upwards is m g (1 + 9 s^2)/4. */
+static void force_before(int route)
+{
+    const double square = 0.99, force = G * (1 + 9 * square) / 4;
+    int strike, of;
+    scene *s = swings_to_wall(route, &strike, &of);
+    const int before = scene_ask_event(s, scene_read(s, of), strike, 1, 1);
+    if (scene_run(s, NULL) == PM_OK) NEAR(s->out[before], force, close[route] * force);
+    EQUAL(s->status, PM_OK);
+    scene_free(s);
+    s = swings_to_wall(route, &strike, &of);
+    const int drops = scene_when(s, PM_TRIGGER_FALL, scene_minus(s, of, force - 1e-3));
+    const int never = scene_ask_count(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, of, force + 1e-3)));
+    const int at = scene_ask_event(s, scene_read(s, scene_time(s)), drops, 1, 0),
+              hit = scene_ask_event(s, scene_read(s, scene_time(s)), strike, 1, 0);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->out[at], s->out[hit]);
+    EQUAL(s->out[never], 0);
+    scene_free(s);
+}
+
 int main(void)
 {
     for (int route = 0; route < 3; route++) {
@@ -175,6 +214,7 @@ int main(void)
         slides_at_last(route);
         begins_with_a_blow(route);
         waits_for_counts(route);
+        force_before(route);
     }
     fires_without_end();
     return check_failures();
