@@ -83,7 +83,7 @@ int pm_ask_keeps_samples(const pm_step *step, const struct pm_ask_set *ask)
 static int extreme_in_step(pm_workspace *w, int ask)
 {
     const int status = pm_extremum_take(w, ask);
-    return status ? status : pm_extremum_bound_take(w, ask);
+    return status ? status : pm_extremum_bound_by_law(w, ask);
 }
 
 /* The end of a step that was shortened is no node. */

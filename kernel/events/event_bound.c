@@ -10,80 +10,90 @@
 
 #include <math.h>
 
+#include "events/bounds.h"
 #include "events/watched_samples.h"
 #include "events/waves.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
+#include "state/evidence.h"
 #include "state/workspace.h"
 
 typedef struct pm_bounded {
-    const pm_workspace *w;
-    int program;                /* that is watched; PM_NONE: a polynomial */
-    pm_chebyshev_series series; /* that */
-    double nothing;             /* so little beyond zero is rounding, or an error of the polynomial */
-    int budget;                 /* of parts */
+    pm_bounds of;
+    double nothing; /* so little beyond zero is rounding, or an error of the polynomial */
+    int budget;     /* of parts */
 } pm_bounded;
 
 /* ---- what is known of it ---- */
+/* The program of a trigger. */
+static int program_of(const pm_workspace *w, const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER ? PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM] : PM_NONE;
+}
+
 int pm_event_bound_is_known(const pm_workspace *w, int i)
 {
     const pm_event_function *f = &w->event->function[i];
     if (f->kind != FUNCTION_TRIGGER) return f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
-    const int program = PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM];
+    const int program = program_of(w, f);
     return !f->every && pm_waves_may_be(w, program) && pm_waves_tell_law(w, program, PM_SAMPLE_TRIGGERS);
 }
 
+static pm_enclosure law_at(const pm_workspace *w, int program, double x)
+{
+    const double s = (x - w->step.begin) / (w->step.sampled_end - w->step.begin);
+    return pm_waves_enclosed(w, program, s, s);
+}
+
+int pm_event_bound_tells(const pm_workspace *w, int i, double x, double value)
+{
+    const int program = program_of(w, &w->event->function[i]);
+    if (program == PM_NONE) return 0;
+    return fabs(value) > PM_BOUND_SURE * pm_interval_width(law_at(w, program, x).jet.value);
+}
+
+double pm_event_bound_slope(const pm_workspace *w, int i, double x)
+{
+    const int program = program_of(w, &w->event->function[i]);
+    if (program == PM_NONE || !pm_event_bound_is_known(w, i)) return NAN;
+    const pm_interval rate = law_at(w, program, x).jet.rate;
+    return 0.5 * (rate.lo + rate.hi) / (w->step.sampled_end - w->step.begin);
+}
+
 /* 1, and what bounds f; 0 where its samples do not show it. */
-static int take(pm_bounded *x, const pm_event_function *f, const double *g, double biggest)
+static int take(pm_bounded *x, const pm_workspace *w, const pm_event_function *f, const double *g)
 {
-    if (f->kind == FUNCTION_TRIGGER) {
-        x->program = PM_TRIGGER_ROW(x->w->model, f->index)[PM_TRIGGER_PROGRAM];
-        x->nothing = PM_SERIES_ROUNDING * biggest;
-        return 1;
-    }
-    x->program = PM_NONE;
-    pm_chebyshev_series_of(&x->series, x->w->step.nodes, g);
-    x->nothing = pm_max(x->series.high, PM_SERIES_ROUNDING * x->series.size);
-    return x->series.resolved;
+    x->of.w = w;
+    x->of.narrow = 0;
+    x->of.program = program_of(w, f);
+    x->nothing = 0;
+    if (x->of.program != PM_NONE) return 1;
+    pm_chebyshev_series_of(&x->of.series, w->step.nodes, g);
+    x->nothing = pm_max(x->of.series.high, PM_SERIES_ROUNDING * x->of.series.size);
+    return x->of.series.resolved;
 }
-
-static pm_enclosure enclosed(const pm_bounded *x, double from, double to)
-{
-    if (x->program != PM_NONE) return pm_waves_enclosed(x->w, x->program, from, to);
-    return (pm_enclosure){.jet = pm_enclosure_of_series(&x->series, from, to)};
-}
-
-static int is_smooth(const pm_enclosure *e) { return e->open == 0 && e->jet.gaps == PM_GAPS_NONE; }
 
 /* ---- the first place beyond zero ---- */
-/* What the value, times its sign, has at the least over a part. */
-static double least_of(const pm_enclosure *e, double sign, double h)
+/* The value at a place is beyond zero, and no rounding. */
+static int is_beyond(const pm_bounded *x, double s, double value)
 {
-    const pm_jet *j = &e->jet;
-    const double least = sign > 0 ? j->value.lo : -j->value.hi;
-    const double bend = sign > 0 ? j->bend.hi : -j->bend.lo;
-    if (!is_smooth(e)) return least;
-    return pm_max(pm_min(sign * j->at[0], sign * j->at[2]) - pm_max(bend, 0) * h * h / 8, least);
+    if (!(value > x->nothing)) return 0;
+    return x->of.program == PM_NONE || pm_bounds_least(&x->of, s) > 0;
 }
 
-static int is_monotonic(const pm_enclosure *e)
-{
-    return is_smooth(e) && (e->jet.rate.lo > 0 || e->jet.rate.hi < 0);
-}
-
-/* The first place that is met in [from, to] where the value times `sign` is below zero; NaN: there is none.  Before it the function
+/* The first place that is met in [from, to] where the value has the sign of x->of.sign; NaN: there is none.  Before it the function
  * goes through zero once. */
-static double beyond(pm_bounded *x, double sign, double from, double to)
+static double beyond(pm_bounded *x, double from, double to)
 {
     const double middle = 0.5 * (from + to), at[3] = {from, middle, to};
-    const pm_enclosure e = enclosed(x, from, to);
-    if (least_of(&e, sign, to - from) >= -x->nothing) return NAN;
-    const int known = is_monotonic(&e) || to - from <= PM_BOUND_LEAST || --x->budget < 0;
+    const pm_bound part = pm_bounds_over(&x->of, from, to);
+    if (part.most <= x->nothing) return NAN;
+    const int known = pm_bounds_is_monotonic(&part) || to - from <= PM_BOUND_LEAST || --x->budget < 0;
     for (int k = 0; k < (known ? 3 : 1); k++)
-        if (sign * e.jet.at[k] < -x->nothing) return at[k];
+        if (is_beyond(x, at[k], part.at[k])) return at[k];
     if (known) return NAN;
-    const double first = beyond(x, sign, from, middle);
-    return isnan(first) ? beyond(x, sign, middle, to) : first;
+    const double first = beyond(x, from, middle);
+    return isnan(first) ? beyond(x, middle, to) : first;
 }
 
 /* ---- the zero ---- */
@@ -99,20 +109,39 @@ static int bracket(pm_workspace *w, pm_event_function *f, const double s[2], pm_
     return 1;
 }
 
-int pm_event_bound_first(pm_workspace *w, int i, const double *g, double biggest, pm_event_at *value_at,
-                         pm_span *x)
+/* Its bounds have come to their end before they told whether it goes through zero. */
+static void note_unseen(pm_workspace *w, const pm_event_function *f, double t)
+{
+    const int is_trigger = f->kind == FUNCTION_TRIGGER;
+    pm_evidence_unseen(&w->evidence, is_trigger ? PM_TABLE_EVENT : PM_TABLE_CONTACT,
+                       is_trigger ? PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_EVENT] : f->index, t);
+}
+
+/* The places s[0] and s[1] of the step between which f first goes through zero in a way that counts (NaN: the begin of x); 0: there
+ * are none. */
+static int first_passage(pm_bounded *known, const pm_event_function *f, double sign, double from, double to,
+                         double s[2])
+{
+    known->of.sign = -sign;
+    s[0] = NAN;
+    s[1] = beyond(known, from, to);
+    if (isnan(s[1]) || pm_event_way_may_cross(f, sign)) return !isnan(s[1]);
+    known->of.sign = sign;
+    s[0] = s[1];
+    s[1] = beyond(known, s[0], to);
+    return !isnan(s[1]);
+}
+
+int pm_event_bound_first(pm_workspace *w, int i, const double *g, pm_event_at *value_at, pm_span *x)
 {
     pm_event_function *f = &w->event->function[i];
     const double h = w->step.sampled_end - w->step.begin, from = (x->a - w->step.begin) / h,
-                 to = (x->b - w->step.begin) / h, sign = x->ga > 0 ? 1 : -1;
+                 to = (x->b - w->step.begin) / h;
     pm_bounded known; /* its series is filled where there is one */
-    known.w = w;
+    double s[2];
     known.budget = PM_BOUND_PARTS;
-    if (x->ga == 0 || x->gb == 0 || !take(&known, f, g, biggest)) return 0;
-    double s[2] = {NAN, beyond(&known, sign, from, to)};
-    if (isnan(s[1])) return 0;
-    if (pm_event_way_may_cross(f, sign)) return bracket(w, f, s, value_at, x);
-    s[0] = s[1];
-    s[1] = beyond(&known, -sign, s[0], to);
-    return !isnan(s[1]) && bracket(w, f, s, value_at, x);
+    if (x->ga == 0 || x->gb == 0 || !take(&known, w, f, g)) return 0;
+    const int found = first_passage(&known, f, x->ga > 0 ? 1 : -1, from, to, s);
+    if (known.budget < 0) note_unseen(w, f, x->a);
+    return found && bracket(w, f, s, value_at, x);
 }

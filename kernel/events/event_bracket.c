@@ -41,7 +41,7 @@ static int first_within(pm_workspace *w, int i, const pm_event_course *of, pm_sp
 {
     const int shown = pm_event_way_crosses(&w->event->function[i], x->ga, x->gb);
     return (of->bounded && (shown || may_reach(of, x)) &&
-            pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) ||
+            pm_event_bound_first(w, i, of->g, pm_event_samples_along, x)) ||
            shown;
 }
 
@@ -255,7 +255,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
         double g = resolved ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
         if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
             g = pm_event_samples_along(w, place, f);
-        if (!(fabs(g) > noise)) continue;
+        if (!(fabs(g) > noise) && !(of->bounded && pm_event_bound_tells(w, i, place, g))) continue;
         const int now = (isfinite(f->rested) && g * f->direction > 0) ||
                         (since_began && pm_event_way_crosses(f, f->left, g));
         *x = now ? (pm_span){a, a, 0, 0} : (pm_span){place, b, g, gb};
@@ -353,7 +353,7 @@ static int search_between(pm_workspace *w, int i, const pm_event_course *of, int
     const int after = one_side ? through_and_back(w, i, of, k, &where, &value) : 0;
     if (!after) return 0;
     *x = (pm_span){place[k], place[after], g[k], g[after]};
-    if (of->bounded && pm_event_bound_first(w, i, of->g, of->biggest, pm_event_samples_along, x)) return 1;
+    if (of->bounded && pm_event_bound_first(w, i, of->g, pm_event_samples_along, x)) return 1;
     *x = pm_event_way_may_cross(f, g[k]) ? (pm_span){place[k], where, g[k], value}
                                          : (pm_span){where, place[after], value, g[after]};
     return 1;

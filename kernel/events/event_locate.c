@@ -9,6 +9,7 @@
  *
  * e = n^2 tail |g| / (h |g'|) the relative error of the slope by n nodes in a step of length h, |g| the greatest of
  * the samples. */
+#include "events/event_bound.h"
 #include "events/event_parts.h"
 
 #include <math.h>
@@ -21,6 +22,13 @@
 #include "state/evidence.h"
 #include "state/route.h"
 #include "state/workspace.h"
+
+/* What rounding leaves of the samples tells where a zero is, and its slope there; not where others are right beside it. */
+static int tell_slope(const pm_step *step, const pm_event_function *f, double slope)
+{
+    const double part = PM_SERIES_ROUNDING * f->biggest / (fabs(slope) * (step->end - step->begin));
+    return part <= PM_PLACE_SHARP;
+}
 
 /* ---- on the dense output ---- */
 /* The root of the polynomial through the samples, and its slope there. */
@@ -45,7 +53,10 @@ int pm_event_locate_root(pm_workspace *w, int i, const pm_span *x, double *place
     e->function[i].slope = NAN;
     if (!(x->b > x->a)) return PM_OK;
     if (!pm_event_samples_resolve(&w->step, w->event, i)) pm_event_samples_of_member(w, i, x->b);
-    if (pm_event_samples_resolve(&w->step, w->event, i)) return root_of_samples(w, i, x, place);
+    if (pm_event_samples_resolve(&w->step, w->event, i)) {
+        const int status = root_of_samples(w, i, x, place);
+        if (status || tell_slope(&w->step, &e->function[i], e->function[i].slope)) return status;
+    }
     return pm_fail_search(&w->result, pm_bracket_find(e->solver, pm_event_samples_along, w, &e->function[i],
                                                       x->a, x->ga, x->b, x->gb, place));
 }
@@ -133,19 +144,20 @@ static double slope_of_samples(const pm_step *step, pm_event_set *event, int i, 
     return pm_chebyshev_slope(step->nodes, of.g, (place - step->begin) / h, &here) / h;
 }
 
-/* Its slope at the root, by the samples; not a number where these do not resolve it. */
-static double slope_at_root(const pm_step *step, pm_event_set *event, int i, double place)
+/* Its slope at the root, by the samples, or by its law; not a number where these do not resolve it. */
+static double slope_at_root(pm_workspace *w, int i, double place)
 {
-    if (!pm_event_samples_resolve(step, event, i)) return NAN;
-    const double slope = event->function[i].slope;
-    return isnan(slope) ? slope_of_samples(step, event, i, place) : slope;
+    if (!pm_event_samples_resolve(&w->step, w->event, i)) return NAN;
+    const pm_event_function *f = &w->event->function[i];
+    const double slope = isnan(f->slope) ? slope_of_samples(&w->step, w->event, i, place) : f->slope;
+    return tell_slope(&w->step, f, slope) ? slope : pm_event_bound_slope(w, i, place);
 }
 
 int pm_event_locate_settle(pm_workspace *w, int i, const pm_span *x, double *place, double *taken)
 {
     const int at_end = *place >= w->step.end && x->gb == 0; /* exactly there: nothing to polish */
     if (at_end && !w->evidence.active) return PM_OK;
-    const double slope = slope_at_root(&w->step, w->event, i, *place);
+    const double slope = slope_at_root(w, i, *place);
     if (!at_end || !w->step.reverses) take_rate(w, i, *place, slope);
     return at_end ? PM_OK : polish(w, i, x, slope, place, taken);
 }

@@ -12,53 +12,6 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-/* ---- a value where the frame looks ---- */
-double pm_extremum_place(const pm_step *step, double s)
-{
-    return step->begin + s * (step->sampled_end - step->begin);
-}
-
-double pm_extremum_value(pm_workspace *w, const pm_extremum *p)
-{
-    if (!p->branch) return p->sign * pm_ask_run(w, p->ask);
-    return p->sign *
-           pm_watched_samples_here(w, pm_ask_program(PM_ASK_ROW(w->model, p->ask)), &p->branch->here);
-}
-
-int pm_extremum_is_taken(const pm_extremum *p)
-{
-    if (!p->branch) return 1;
-    const pm_switches *x = &p->branch->here;
-    for (int i = 0; i < x->n; i++) {
-        const double arg = x->arg[i][0];
-        if (x->sign[i] * arg < -p->branch->zero[i]) return 0;
-    }
-    return 1;
-}
-
-void pm_extremum_offer(pm_workspace *w, const pm_extremum *p, double g, double above)
-{
-    if (pm_extremum_is_taken(p)) pm_ask_offer(w, p->ask, p->sign * g, p->sign * above);
-}
-
-int pm_extremum_offer_at(pm_workspace *w, const pm_extremum *p, double t)
-{
-    const int status = pm_ask_look(w, t, 1);
-    if (!status) pm_extremum_offer(w, p, pm_extremum_value(w, p), 0);
-    return status;
-}
-
-double pm_extremum_best(const struct pm_ask_set *ask, const pm_extremum *p)
-{
-    return pm_max(p->best, p->sign * ask->best[p->ask]);
-}
-
-void pm_extremum_skip(struct pm_ask_set *ask, const pm_extremum *p, double g)
-{
-    double *bound = &ask->bound[p->ask];
-    *bound = pm_max(*bound, g);
-}
-
 /* ---- beside a node ---- */
 /* Whether node k is as good as the extreme at x right beside it. */
 static int is_at_node(const pm_step *step, struct pm_ask_set *ask, const pm_extremum *p, int k,
@@ -71,7 +24,7 @@ static int is_at_node(const pm_step *step, struct pm_ask_set *ask, const pm_extr
     const double half = -(1 + PM_EXTREMUM_NEAR) * 0.5 / x->bend,
                  most = p->g[k] + half * (slope + error) * (slope + error);
     const double likely = slope + PM_EXTREMUM_LIKELY * error;
-    if (most > p->best + p->nothing) return 0;
+    if (pm_max(most, x->value) > p->best + p->nothing) return 0;
     pm_extremum_skip(ask, p, p->g[k] + half * likely * likely);
     return 1;
 }
@@ -136,12 +89,12 @@ static int extremes_of_samples(pm_workspace *w, pm_extremum *p)
         const double s = vertex(nodes, p, k);
         if (isnan(s)) continue;
         const pm_extremum_fit x = pm_extremum_rise_top(nodes, p, k, s);
-        if (x.s <= p->end) p->met |= 1u << pm_extremum_rise_interval(nodes, x.s);
+        if (x.s <= p->end) p->top[p->ntop++] = x.s;
         const int status = pm_extremum_near(w, p, k, &x);
         if (status) return status;
         p->best = pm_extremum_best(w->ask, p);
     }
-    return pm_extremum_hidden_find(w, p);
+    return PM_OK;
 }
 
 /* Between node k and the next, where the samples show the slopes only roughly. */
@@ -173,29 +126,9 @@ static int offer_node(pm_workspace *w, const pm_extremum *p, int top)
     return status;
 }
 
-int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
+static int extremes_between_slopes(pm_workspace *w, pm_extremum *p, double spread)
 {
     const pm_chebyshev_nodes *nodes = w->step.nodes;
-    /* an extreme between the nodes exceeds them by no more than their spread */
-    if (spread <= PM_EXTREMUM_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
-    p->tail = INFINITY;
-    p->met = 0;
-    if (p->spectral) {
-        if (next_top(nodes, p, 0, PM_EXTREMUM_WIDE) == nodes->n && !pm_extremum_hidden_possible(nodes, p))
-            return PM_OK;
-        p->tail = pm_chebyshev_high(nodes, p->g) / p->size;
-        p->slope_error = PM_EXTREMUM_SLOPE_TAIL * nodes->n * p->tail * p->size;
-        p->nothing = pm_max(PM_EXTREMUM_NOTHING, PM_EXTREMUM_SHARE * w->numbers.tolerance) * p->size;
-    }
-    if (!p->branch && w->ask->switches[p->ask] > 0 &&
-        p->tail > (w->ask->dips[p->ask] ? PM_EXTREMUM_DIPS : 0)) {
-        int taken;
-        const int status = pm_extremum_branch_all(w, p, &taken);
-        if (status || taken) return status;
-    }
-    if (p->spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH))
-        return extremes_of_samples(w, p);
-    if (p->law) p->tail = INFINITY;
     for (int k = 0; (k = next_top(nodes, p, k, PM_EXTREMUM_WIDE)) < nodes->n; k++) {
         p->met |= (k > 0 ? 3u << (k - 1) : 1u);
         int status = k > 0 ? extreme_beside_top(w, p, k - 1, spread) : PM_OK;
@@ -203,7 +136,27 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
         if (status) return status;
         p->best = pm_extremum_best(w->ask, p);
     }
-    return pm_extremum_hidden_find(w, p);
+    return PM_OK;
+}
+
+int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread)
+{
+    /* an extreme between the nodes exceeds them by no more than their spread */
+    if (spread <= PM_EXTREMUM_LEVEL * p->size || p->g[top] + spread < p->best) return PM_OK;
+    p->tail = INFINITY;
+    p->met = 0;
+    p->ntop = 0;
+    if (p->spectral) pm_extremum_take_tail(w, p, pm_chebyshev_high(w->step.nodes, p->g));
+    if (!p->branch && w->ask->switches[p->ask] > 0 &&
+        p->tail > (w->ask->dips[p->ask] ? PM_EXTREMUM_DIPS : 0)) {
+        int taken;
+        const int status = pm_extremum_branch_all(w, p, &taken);
+        if (status || taken) return status;
+    }
+    const int smooth = p->spectral && p->tail < (p->law ? PM_TAIL_RESOLVED : PM_CHEBYSHEV_SMOOTH);
+    if (!smooth && p->law) p->tail = INFINITY;
+    const int status = smooth ? extremes_of_samples(w, p) : extremes_between_slopes(w, p, spread);
+    return status || p->bounded ? status : pm_extremum_bound_by_samples(w, p);
 }
 
 /* How many nodes are not beyond the end of the step, which may have been shortened. */
@@ -222,8 +175,8 @@ int pm_extremum_take(pm_workspace *w, int ask)
                      .last = w->step.nodes->n - 1,
                      .spectral = pm_chebyshev_nodes_spectral(w->step.nodes) &&
                                  !pm_ask_at_extreme(PM_ASK_ROW(w->model, ask))};
-    p.law = p.spectral && pm_waves_may_be(w, pm_ask_program(PM_ASK_ROW(w->model, ask))) &&
-            pm_extremum_law_known(w, ask);
+    p.bounded = pm_extremum_law_known(w, ask);
+    p.law = p.spectral && p.bounded && pm_waves_may_be(w, pm_ask_program(PM_ASK_ROW(w->model, ask)));
     const int inside = nodes_inside(&w->step);
     double least = INFINITY;
     int top = 0, top_inside = 0;

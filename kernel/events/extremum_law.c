@@ -12,7 +12,8 @@ static int program_of(const pm_workspace *w, int ask) { return pm_ask_program(PM
 
 int pm_extremum_law_known(const pm_workspace *w, int ask)
 {
-    return pm_waves_tell_law(w, program_of(w, ask), PM_SAMPLE_ASKS);
+    return pm_chebyshev_nodes_spectral(w->step.nodes) &&
+           pm_waves_tell_law(w, program_of(w, ask), PM_SAMPLE_ASKS);
 }
 
 static pm_jet law(const pm_workspace *w, const pm_extremum *p, double s)

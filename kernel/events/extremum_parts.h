@@ -24,14 +24,16 @@ typedef struct pm_extremum {
     double tail;    /* highest coefficients over it */
     double best;    /* known before it is looked for, as g */
     double nothing; /* so much more is not looked for */
-    double above;   /* likewise, of what the law says */
     double end;     /* of the step, as a fraction of what is sampled */
     double slope_error;
     int spectral; /* the samples are at nodes of Chebyshev polynomials, and nothing is asked where another is extreme */
-    int law; /* what the program makes of its measures is known along the step (extremum_law.c) */
+    int bounded; /* what the program makes of its measures is known along the step, and bounds the value (extremum_law.c) */
+    int law;                       /* likewise, and what the nodes show of it may not be all */
     pm_extremum_of_branch *branch; /* NULL: the program has no switches, or none changes */
     int first, last;               /* nodes beside which extremes are looked for */
     uint32_t met;                  /* bit k: between node k and the next one has been found */
+    int ntop;                      /* that have been found by the polynomial through the nodes; where */
+    double top[PM_NODES_MOST];
 } pm_extremum;
 
 /* The polynomial somewhere: its value less that of the nearest node, slope and bend; w'/w; w, 1 where it is greatest. */
@@ -57,7 +59,7 @@ typedef struct pm_extremum_curve {
     int (*top)(pm_workspace *w, const pm_extremum *p, const pm_extremum_slope *a, const pm_extremum_slope *b);
 } pm_extremum_curve;
 
-/* ---- extremum.c: a value where the frame looks, and what is made of it ---- */
+/* ---- extremum_value.c: a value where the frame looks, and what is made of it ---- */
 /* The place in the step of a fraction of what is sampled. */
 double pm_extremum_place(const pm_step *step, double s);
 /* g where the frame looks. */
@@ -68,10 +70,16 @@ int pm_extremum_is_taken(const pm_extremum *p);
 void pm_extremum_offer(pm_workspace *w, const pm_extremum *p, double g, double above);
 /* Nothing above g is looked for. */
 void pm_extremum_skip(struct pm_ask_set *ask, const pm_extremum *p, double g);
+/* What its highest coefficients tell of the polynomial through the samples. */
+void pm_extremum_take_tail(const pm_workspace *w, pm_extremum *p, double high);
+/* So much more than the best is not looked for, of values of that size. */
+double pm_extremum_nothing(const pm_workspace *w, double size);
 /* The best so far: of what was known before, and what has been offered since. */
 double pm_extremum_best(const struct pm_ask_set *ask, const pm_extremum *p);
 /* Looks at place t, exactly, and takes the value there. */
 int pm_extremum_offer_at(pm_workspace *w, const pm_extremum *p, double t);
+
+/* ---- extremum.c ---- */
 /* Looks for extremes that are better than the best so far; top: the best node of those that are asked for, spread: of all
  * of these. */
 int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread);
@@ -79,14 +87,17 @@ int pm_extremum_find(pm_workspace *w, pm_extremum *p, int top, double spread);
 int pm_extremum_near(pm_workspace *w, const pm_extremum *p, int k, const pm_extremum_fit *x);
 
 /* ---- extremum_hidden.c ---- */
-int pm_extremum_hidden_possible(const pm_chebyshev_nodes *nodes, const pm_extremum *p);
-/* Extremes that no node shows; those at nodes have been looked for. */
+/* Extremes that no node shows, where the nodes do not resolve the value; those at nodes have been looked for. */
 int pm_extremum_hidden_find(pm_workspace *w, pm_extremum *p);
 /* Where the cubic with these values and rates is greatest between a and b; NaN if it has no top there. */
 double pm_extremum_hidden_cubic(const pm_extremum_slope *a, const pm_extremum_slope *b);
 /* All tops between a and b, which may be parted so often (PM_HIDDEN_PARTINGS). */
 int pm_extremum_hidden_tops(pm_workspace *w, const pm_extremum *p, const pm_extremum_curve *x,
                             const pm_extremum_slope *a, const pm_extremum_slope *b, int partings);
+
+/* ---- extremum_bound.c ---- */
+/* Likewise, where the nodes resolve it: by the polynomial through them, part by part. */
+int pm_extremum_bound_by_samples(pm_workspace *w, pm_extremum *p);
 
 /* ---- extremum_rise.c: where the nodes resolve the value nearly ---- */
 /* The interval of s, next to node k. */
@@ -105,6 +116,8 @@ int pm_extremum_rise_climb(pm_workspace *w, const pm_extremum *p, int k, const p
 /* ---- extremum_search.c: where they do not ---- */
 /* Between node k and the next where the value may have an extreme better than the best so far: the root of its rate. */
 int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k);
+/* The same between two places of the step. */
+int pm_extremum_search_part(pm_workspace *w, const pm_extremum *p, double from, double to);
 
 /* ---- extremum_law.c ---- */
 /* Whether the program's law is known along the step. */

@@ -94,14 +94,19 @@ static int top_between(pm_workspace *w, const pm_extremum *p, const pm_extremum_
     return pm_extremum_offer_at(w, p, place_matters ? put_right(w, p, t) : t);
 }
 
-int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
+int pm_extremum_search_part(pm_workspace *w, const pm_extremum *p, double from, double to)
 {
     static const pm_extremum_curve in_looks = {slope_here, top_between},
                                    by_law = {pm_extremum_law_slope, pm_extremum_law_top};
     const pm_extremum_curve *x = p->law ? &by_law : &in_looks;
-    if (k < 0 || k + 1 >= w->step.nodes->n) return PM_OK;
-    const double *at = w->step.nodes->at, end = pm_min(at[k + 1], p->end);
-    if (at[k] >= end) return PM_OK;
-    const pm_extremum_slope a = x->slope(w, p, at[k]), b = x->slope(w, p, end);
+    const double end = pm_min(to, p->end);
+    if (from >= end) return PM_OK;
+    const pm_extremum_slope a = x->slope(w, p, from), b = x->slope(w, p, end);
     return pm_extremum_hidden_tops(w, p, x, &a, &b, PM_HIDDEN_PARTINGS);
+}
+
+int pm_extremum_search_root(pm_workspace *w, const pm_extremum *p, int k)
+{
+    const double *at = w->step.nodes->at;
+    return k < 0 || k + 1 >= w->step.nodes->n ? PM_OK : pm_extremum_search_part(w, p, at[k], at[k + 1]);
 }

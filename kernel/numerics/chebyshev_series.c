@@ -3,6 +3,7 @@
 #include "numerics/chebyshev_series.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "numerics/lanes.h"
 #include "numerics/minmax.h"
@@ -81,15 +82,21 @@ static void derive_all(pm_chebyshev_series *x)
     x->third = sum_of_sizes(x->n, third);
 }
 
-void pm_chebyshev_series_of(pm_chebyshev_series *x, const pm_chebyshev_nodes *nodes, const double *sample)
+void pm_chebyshev_series_begin(pm_chebyshev_series *x, const pm_chebyshev_nodes *nodes, const double *sample)
 {
     const int n = x->n = nodes->n;
     double moved[PM_NODES];
     transform(nodes, at_nodes(nodes, sample, moved), x->value);
-    derive_all(x);
     x->size = sum_of_sizes(n, x->value);
-    const double changes = x->size - fabs(x->value[0]), upper = sum_of_sizes(n / 2, x->value + n - n / 2);
     x->high = pm_max(fabs(x->value[n - 1]), fabs(x->value[n - 2]));
+}
+
+void pm_chebyshev_series_of(pm_chebyshev_series *x, const pm_chebyshev_nodes *nodes, const double *sample)
+{
+    pm_chebyshev_series_begin(x, nodes, sample);
+    derive_all(x);
+    const int n = x->n;
+    const double changes = x->size - fabs(x->value[0]), upper = sum_of_sizes(n / 2, x->value + n - n / 2);
     x->scatters = upper > PM_SERIES_SCATTERS * (changes - upper);
     x->resolved =
         x->high <= (n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW) * changes + PM_SERIES_ROUNDING * x->size;
@@ -117,6 +124,13 @@ static pm_lanes sum_up(int n, const double *one, const double *other, pm_lanes s
 
 static pm_interval about(double middle, double by) { return (pm_interval){middle - by, middle + by}; }
 
+/* The bounds of rate and value that follow from those of the bend about the rate and the value in the middle. */
+static void bound_by_bend(const pm_chebyshev_series *x, double rate, double half, pm_chebyshev_part *part)
+{
+    part->rate = about(rate, half * pm_interval_size(part->bend));
+    part->value = about(part->at[1], half * pm_interval_size(part->rate) + PM_SERIES_ROUNDING * x->size);
+}
+
 pm_chebyshev_part pm_chebyshev_series_over(const pm_chebyshev_series *x, double from, double to)
 {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
@@ -125,7 +139,32 @@ pm_chebyshev_part pm_chebyshev_series_over(const pm_chebyshev_series *x, double 
                    second = sum_up(x->n, x->bend, x->bend, (pm_lanes){middle, middle});
     pm_chebyshev_part part = {.at = {ends[0], first[0], ends[1]}};
     part.bend = about(second[0], half * x->third);
-    part.rate = about(first[1], half * pm_interval_size(part.bend));
-    part.value = about(part.at[1], half * pm_interval_size(part.rate) + PM_SERIES_ROUNDING * x->size);
+    bound_by_bend(x, first[1], half, &part);
+    return part;
+}
+
+/* The slope of a Chebyshev polynomial of degree j is j^2 at the most; s goes half as far as its argument. */
+double pm_chebyshev_series_least_rate(const pm_chebyshev_series *x)
+{
+    double others = 0;
+    for (int j = 2; j < x->n; j++) others += j * j * fabs(x->value[j]);
+    return 2 * (fabs(x->value[1]) - others);
+}
+
+void pm_chebyshev_series_bends(pm_chebyshev_series *x, pm_chebyshev_series *bends)
+{
+    derive_all(x);
+    bends->n = x->n;
+    memcpy(bends->value, x->bend, (size_t)x->n * sizeof *x->bend);
+    bends->size = sum_of_sizes(x->n, x->bend);
+    derive_all(bends);
+}
+
+pm_chebyshev_part pm_chebyshev_series_narrow(const pm_chebyshev_series *x, const pm_chebyshev_series *bends,
+                                             double from, double to)
+{
+    pm_chebyshev_part part = pm_chebyshev_series_over(x, from, to);
+    part.bend = pm_chebyshev_series_over(bends, from, to).value;
+    bound_by_bend(x, 0.5 * (part.rate.lo + part.rate.hi), 0.5 * (to - from), &part);
     return part;
 }

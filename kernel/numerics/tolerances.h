@@ -222,6 +222,7 @@
 #define PM_EVENT_RATE_STEP 1e-4 /* of the step: differences that make the rate at a zero; larger: less exact, smaller: rounding */
 #define PM_PLACE_ROUNDING 1e-15 /* of the step: rounding of a place; larger: zeros are polished less */
 #define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look shows more; larger: zeros less exact */
+#define PM_PLACE_SHARP 1e-9 /* of the step: a zero is known so well in spite of the rounding of samples, else it is looked for; larger: zeros beside others are met twice, less: more looks */
 #define PM_OFF_ZERO 1e-9 /* of a function's values beside its zero: it is not on it; larger: corners are met less exactly */
 #define PM_TAIL_WAVES 1e-4 /* tail of samples between which there may be waves: finer nodes are taken; larger: extremes are missed */
 #define PM_SERIES_ROUNDING 1e-14 /* of the coefficients: what rounding leaves of the highest, and values scatter by; larger: less is resolved */
@@ -250,11 +251,11 @@
 #define PM_EXTREMUM_WIDE 3.0 /* times the fall beside a node: so far may rise what the nodes do not show; larger: more is searched */
 #define PM_EXTREMUM_NEAR 0.3 /* of a bend: so much it changes over this part of 1 / n^2 of the step; larger: extremes at nodes less exact */
 #define PM_EXTREMUM_DIPS 1e-5 /* tail of a value whose corners can only be dips: looks show what they change; larger: extremes less exact */
-#define PM_BOUND_PARTS 64 /* of a step, that may be left at once: of more, bounds tell nothing; more: level values cost more in vain */
+#define PM_BOUND_PARTS 400 /* of a step, that are halved: what they do not tell then is an error, or undecided; less: more is left open, more: level values cost more in vain */
+#define PM_BOUND_SURE 1e3 /* times what rounding makes of a value: so small a one has a sign, whatever the motion is off by; larger: zeros beside others are missed, less: they are counted twice */
 #define PM_BOUND_LEAST 1e-14 /* of a step: a part in which bounds look for more than a corner that has been found; larger: corners less exact */
 #define PM_EXTREMUM_SHARE 1e-2 /* of the tolerance: so little more is not looked for, but counts as an error; larger: errors larger */
 #define PM_SWITCHES_APART 1e-9 /* of the nodes' distance: switches that are closer change together; larger: branches between them are left out */
-#define PM_HIDDEN_BEND 0.8 /* of the bend that a parabola would have: less is level; larger: more is searched by looks */
 #define PM_HIDDEN_ALIKE 0.1 /* of what others near them differ by: nodes between which a top may hide; larger: more is searched */
 #define PM_HIDDEN_PARTINGS 5 /* of an interval about a level place: a sixth is left each time; more: slower */
 #define PM_RISE_SLOWLY 0.5 /* of the residual before: looks that leave more lead nowhere; larger: more looks */

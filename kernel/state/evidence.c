@@ -39,7 +39,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     p->relative = p->late = 0;
     p->unsure = 0;
     p->cut = 0;
-    p->tied = NAN;
+    p->tied = p->unseen = NAN;
     for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     begin_log(&p->log);
 }
@@ -93,6 +93,15 @@ void pm_evidence_cut(pm_evidence *evidence)
 void pm_evidence_ties(pm_evidence *evidence, double t)
 {
     if (evidence->active && !evidence->seeks) evidence->present->tied = t;
+}
+
+void pm_evidence_unseen(pm_evidence *evidence, int table, int row, double t)
+{
+    pm_pass *p = evidence->present;
+    if (!evidence->active || evidence->seeks || !isnan(p->unseen)) return;
+    p->unseen = t;
+    p->unseen_table = table;
+    p->unseen_row = row;
 }
 
 int pm_evidence_has_series(const pm_pass *pass) { return pass->cut || pass->log.instant >= PART; }

@@ -179,6 +179,7 @@ static int find_coarse(pm_workspace *w, const double *param)
         e->other->log.n = 0; /* its own decisions are judged by that */
         e->other->outcome = e->main->outcome;
         e->other->tied = e->main->tied;
+        e->other->unseen = NAN; /* that of the main one is told */
         e->other->count[PM_COUNT_JUMPS] = e->main->count[PM_COUNT_JUMPS];
         e->other->tolerance = e->main->tolerance;
         e->other->coarse = 1;

@@ -135,11 +135,12 @@ int pm_margin_same_jumps(const pm_accuracy *e)
 }
 
 static int is_tied(const pm_pass *p) { return !isnan(p->tied); }
+static int is_unseen(const pm_pass *p) { return !isnan(p->unseen); }
 
 double pm_margin_judge(pm_accuracy *e, double share)
 {
     const pm_pass *a = e->main, *b = e->other;
-    if (a->outcome != b->outcome || is_tied(a) || is_tied(b)) return 0;
+    if (a->outcome != b->outcome || is_tied(a) || is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;
     pm_closest closest = pm_margin_of_logs(&a->log, &b->log, e->size.trigger);
     closest.margin /= share;
     if (closest.margin < e->closest.margin) e->closest = closest;
@@ -152,9 +153,13 @@ void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
     double t = is_tied(p) ? p->tied : e->other->tied;
     p->status = PM_UNDECIDED;
     p->where = (pm_where){PM_NONE, PM_NONE, PM_DECISION_OUTCOME, 0, 0};
+    const pm_pass *unseen = is_unseen(p) ? p : e->other;
     if (!isnan(t))
         p->where.member = PM_DECISION_ORDER;
-    else if (e->closest.margin <= margin)
+    else if (is_unseen(unseen)) {
+        p->where = (pm_where){unseen->unseen_table, unseen->unseen_row, PM_DECISION_HAPPENS, 0, 0};
+        t = unseen->unseen;
+    } else if (e->closest.margin <= margin)
         p->where = pm_event_evidence_where(model, &e->closest, &t);
     else if (e->other->status != PM_OK) {
         p->where = (pm_where){e->other->where.table, e->other->where.row, PM_DECISION_ENDS, 0, 0};

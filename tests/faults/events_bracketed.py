@@ -4,6 +4,36 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "bound: what is small beside others has no sign",
+        "events/event_bracket.c",
+        "!(of->bounded && pm_event_bound_tells(w, i, place, g))",
+        "1",
+    ),
+    Fault(
+        "bound: what is small beside others does not go beyond zero",
+        "events/event_bound.c",
+        "x->nothing = 0;",
+        "x->nothing = 1e-14;",
+    ),
+    Fault(
+        "bound: zeros beside others are where the samples say",
+        "events/event_locate.c",
+        "return part <= PM_PLACE_SHARP;",
+        "return 1;",
+    ),
+    Fault(
+        "bound: what it leaves open is told by nobody",
+        "events/event_bound.c",
+        "if (known.budget < 0) note_unseen(w, f, x->a);",
+        "",
+    ),
+    Fault(
+        "margin: what nobody has seen is decided",
+        "study/margin.c",
+        "is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;",
+        "is_tied(b)) return 0;",
+    ),
+    Fault(
         "gap: the bottom of what grazes is told by a polynomial",
         "events/event_bracket.c",
         "return f->kind == FUNCTION_GAP && !pm_event_samples_resolve(",
@@ -122,8 +152,8 @@ FAULTS = [
     Fault(
         "bound: zeros in a dip of three nodes are one",
         "events/event_bracket.c",
-        "of->biggest, pm_event_samples_along, x)) return 1;",
-        "of->biggest, pm_event_samples_along, x) * 0) return 1;",
+        "of->g, pm_event_samples_along, x)) return 1;",
+        "of->g, pm_event_samples_along, x) * 0) return 1;",
     ),
     Fault(
         "bound: three nodes tell that no zero is near",

@@ -9,7 +9,7 @@
 #endif
 #define END 3.0 /* rad */
 #define FACTORS 5
-#define APART 0.01 /* rad: nearer zeros leave nothing between them but rounding */
+#define APART 1e-4 /* rad: of what is between five of them 1e-19 of the greatest value is left */
 
 static int is_greater(const void *a, const void *b)
 {
@@ -24,7 +24,7 @@ static void draw_zeros(int n, double *zero)
     do {
         least = INFINITY;
         zero[0] = check_random(0.3, 2.2);
-        for (int i = 1; i < n; i++) zero[i] = zero[0] + pow(10, check_random(-2, -0.3));
+        for (int i = 1; i < n; i++) zero[i] = zero[0] + pow(10, check_random(-4, -0.3));
         qsort(zero, (size_t)n, sizeof *zero, is_greater);
         for (int i = 1; i < n; i++) least = fmin(zero[i] - zero[i - 1], least);
     } while (least < APART);
@@ -56,11 +56,34 @@ static void try_zeros(int route, int kind, int n)
     scene_free(x.s);
 }
 
+/* sin 2u - 2 sin u cos u, and next to nothing: what bounds leave open of a difference that is rounding is told, with the event and the time. */
+static void bounds_that_tell_nothing(void)
+{
+    double nothing = 0;
+    wheel x = wheel_turning(PM_ROUTE_UNIFORM, END);
+    scene *s = x.s;
+    const int program = SCENE_PROGRAM(
+        s, scene_m(x.turned), scene_k(s, 2), scene_op(PM_OP_MUL), scene_op(PM_OP_SIN), scene_m(x.turned),
+        scene_op(PM_OP_SIN), scene_m(x.turned), scene_op(PM_OP_COS), scene_op(PM_OP_MUL), scene_k(s, 2),
+        scene_op(PM_OP_MUL), scene_op(PM_OP_SUB), scene_m(x.turned), scene_k(s, 1.5), scene_op(PM_OP_SUB),
+        scene_m(x.turned), scene_k(s, 1.5), scene_op(PM_OP_SUB), scene_op(PM_OP_MUL), scene_k(s, 1e-13),
+        scene_op(PM_OP_MUL), scene_op(PM_OP_ADD), scene_k(s, 2e-15), scene_op(PM_OP_ADD));
+    const int event = scene_when(s, PM_TRIGGER_FALL, program);
+    scene_ask_count(s, event);
+    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    EQUAL(scene_run(s, &nothing), PM_UNDECIDED);
+    EQUAL(s->where[0], PM_TABLE_EVENT);
+    EQUAL(s->where[1], event);
+    EQUAL(s->where[2], PM_DECISION_HAPPENS);
+    scene_free(s);
+}
+
 int main(void)
 {
     static const int routes[] = {PM_ROUTE_UNIFORM, PM_ROUTE_PATH, PM_ROUTE_RK, PM_ROUTE_IDA},
                      kinds[] = {PM_TRIGGER_CROSS, PM_TRIGGER_RISE, PM_TRIGGER_FALL};
     for (size_t r = 0; r < sizeof routes / sizeof *routes; r++)
         for (int i = 0; i < CASES; i++) try_zeros(routes[r], kinds[i % 3], 3 + i / 3 % 3);
+    bounds_that_tell_nothing();
     return check_failures();
 }
