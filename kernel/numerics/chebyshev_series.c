@@ -9,28 +9,47 @@
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 
+/* cos(pi k / 16), k from 0 to 8; then by its symmetries. */
+#define FIRST(k) \
+    ((k) == 0   ? 1 \
+     : (k) == 1 ? 0.980785280403230449 \
+     : (k) == 2 ? 0.923879532511286756 \
+     : (k) == 3 ? 0.831469612302545237 \
+     : (k) == 4 ? 0.707106781186547524 \
+     : (k) == 5 ? 0.555570233019602225 \
+     : (k) == 6 ? 0.382683432365089772 \
+     : (k) == 7 ? 0.195090322016128268 \
+                : 0)
+#define HALF(k) ((k) <= 8 ? FIRST(k) : -FIRST(16 - (k)))
+#define COSINE(k) ((k) % 32 <= 16 ? HALF((k) % 32) : HALF(32 - (k) % 32))
+#define PAIR(i, m) {COSINE(2 * (i) * (m)), COSINE((2 * (i) + 1) * (m))}
+#define ROW(i) \
+    {PAIR(i, 0), PAIR(i, 1), PAIR(i, 2), PAIR(i, 3), PAIR(i, 4), PAIR(i, 5), PAIR(i, 6), PAIR(i, 7), PAIR(i, 8)}
+/* cos(pi j m / 16) for two j at once, the even one and the next. */
+static const double cosine[PM_NODES_MOST / 2 + 1][PM_NODES_MOST / 2 + 1][2] = {
+    ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6), ROW(7), ROW(8)};
+
 /* c[j] = 2 / last sum of f[m] cos(pi j m / last), f[m] the sample at x = cos(pi m / last), ends halved.  Samples m and
  * last - m, at x and -x, have the same cosine but for a sign: their sums give the even coefficients, their differences the
  * odd ones. */
 static void transform(const pm_chebyshev_nodes *nodes, const double *sample, double *c)
 {
-    const int last = nodes->n - 1, half = last / 2;
-    const int turn = 2 * PM_NODES_CLOCK - 2, whole = turn / 2 / last; /* a power of two */
-    double pair[2][PM_NODES_MOST / 2 + 1];
-    for (int m = 0; m < half; m++) {
-        pair[0][m] = sample[last - m] + sample[m];
-        pair[1][m] = sample[last - m] - sample[m];
-    }
-    pair[0][half] = sample[half];
-    pair[1][half] = 0;
-    for (int j = 0; j <= last; j++) {
-        const double *f = pair[j % 2];
-        double sum = 0.5 * f[0];
-        for (int m = 1, at = 0; m <= half; m++) {
-            at = (at + j * whole) & (turn - 1);
-            sum += f[m] * pm_chebyshev_nodes_cosine[at];
-        }
-        c[j] = sum * (j == 0 || j == last ? 1.0 : 2.0) / last;
+    const int last = nodes->n - 1, half = last / 2, every = (PM_NODES_MOST - 1) / last;
+    const pm_lanes whole = {last, last};
+    pm_lanes pair[PM_NODES_MOST / 2 + 1], factor = {1, 2};
+    for (int m = 0; m < half; m++)
+        pair[m] = (pm_lanes){sample[last - m] + sample[m], sample[last - m] - sample[m]};
+    pair[half] = (pm_lanes){sample[half], 0};
+    for (int j = 0; j <= last; j += 2) {
+        const double *weight = cosine[j / 2][0];
+        pm_lanes sum = 0.5 * pair[0];
+        for (int m = 1; m <= half; m++) sum += pair[m] * pm_lanes_load(weight += 2 * every);
+        sum = sum * factor / whole;
+        if (j < last)
+            pm_lanes_store(c + j, sum);
+        else
+            c[j] = 0.5 * sum[0];
+        factor = (pm_lanes){2, 2};
     }
 }
 
@@ -153,11 +172,13 @@ double pm_chebyshev_series_least_rate(const pm_chebyshev_series *x)
 
 void pm_chebyshev_series_bends(pm_chebyshev_series *x, pm_chebyshev_series *bends)
 {
-    derive_all(x);
+    derive(x->n, x->value, x->rate);
+    derive(x->n, x->rate, x->bend);
     bends->n = x->n;
     memcpy(bends->value, x->bend, (size_t)x->n * sizeof *x->bend);
     bends->size = sum_of_sizes(x->n, x->bend);
     derive_all(bends);
+    x->third = sum_of_sizes(x->n, bends->rate);
 }
 
 pm_chebyshev_part pm_chebyshev_series_narrow(const pm_chebyshev_series *x, const pm_chebyshev_series *bends,
