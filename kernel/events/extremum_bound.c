@@ -179,10 +179,14 @@ static int search(pm_bound_search *x, double from, double to)
     return status;
 }
 
-/* The value that such a polynomial shows rises all along the step, or falls. */
-static int keeps_its_way(const pm_extremum *p, const pm_chebyshev_series *series)
+/* The value that such a polynomial shows rises all along the step, or falls; or it bends up, or down from a top that has been
+ * met: no more is to be found inside. */
+static int has_no_more(const pm_bound_search *x, double from, double to)
 {
-    return pm_chebyshev_series_least_rate(series) > p->slope_error;
+    const pm_chebyshev_series *series = &x->of.series;
+    if (pm_chebyshev_series_least_rate(series) > x->slow) return 1;
+    if (!(pm_chebyshev_series_least_bend(series) > x->straight)) return 0;
+    return series->value[2] > 0 || has_been_met(x->p, from, to);
 }
 
 /* *unsure: the nodes do not tell all. */
@@ -194,17 +198,17 @@ static int search_samples(pm_workspace *w, pm_extremum *p, double from, double t
     pm_extremum_take_tail(w, p, x.of.series.high);
     *unsure = !(p->tail < PM_CHEBYSHEV_SMOOTH);
     if (*unsure) return n < PM_NODES_MOST ? PM_OK : pm_extremum_hidden_find(w, p);
-    if (keeps_its_way(p, &x.of.series)) return PM_OK;
     x.w = w;
     x.p = p;
+    x.slow = p->slope_error;
+    x.straight = n * n * p->slope_error;
+    if (has_no_more(&x, from, to)) return PM_OK;
     x.of.w = w;
     x.of.sign = 1;
     x.of.program = PM_NONE;
     x.of.narrow = 1;
     pm_chebyshev_series_bends(&x.of.series, &x.of.bends);
     x.residual = PM_TAIL_RESIDUAL * p->tail * p->size;
-    x.slow = p->slope_error;
-    x.straight = n * n * p->slope_error;
     x.offer = offer_by_polynomial;
     x.unsure = 0;
     const int status = search(&x, from, to);

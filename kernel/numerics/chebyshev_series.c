@@ -170,6 +170,14 @@ double pm_chebyshev_series_least_rate(const pm_chebyshev_series *x)
     return 2 * (fabs(x->value[1]) - others);
 }
 
+/* Likewise, with bends of j^2 (j^2 - 1) / 3. */
+double pm_chebyshev_series_least_bend(const pm_chebyshev_series *x)
+{
+    double others = 0;
+    for (int j = 3; j < x->n; j++) others += j * j * (j * j - 1) * fabs(x->value[j]);
+    return 4.0 / 3 * (12 * fabs(x->value[2]) - others);
+}
+
 void pm_chebyshev_series_bends(pm_chebyshev_series *x, pm_chebyshev_series *bends)
 {
     derive(x->n, x->value, x->rate);

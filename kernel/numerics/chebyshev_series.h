@@ -20,10 +20,12 @@ typedef struct pm_chebyshev_series {
 void pm_chebyshev_series_of(pm_chebyshev_series *series, const pm_chebyshev_nodes *nodes,
                             const double *sample);
 
-/* The same, its derivatives left open; the size of its rate is at least so much everywhere, if that is above zero. */
+/* The same, its derivatives left open; the size of its rate, or of its bend, is at least so much everywhere, if that is above
+ * zero.  (A bend has the sign of value[2] then.) */
 void pm_chebyshev_series_begin(pm_chebyshev_series *series, const pm_chebyshev_nodes *nodes,
                                const double *sample);
 double pm_chebyshev_series_least_rate(const pm_chebyshev_series *series);
+double pm_chebyshev_series_least_bend(const pm_chebyshev_series *series);
 
 /* Without the highest coefficients up to this part of what changes, or up to rounding: bends make both 1000 times larger. */
 void pm_chebyshev_series_cut(pm_chebyshev_series *series, double part);
@@ -36,8 +38,8 @@ typedef struct pm_chebyshev_part {
 /* Over the part [from, to] of [0, 1]. */
 pm_chebyshev_part pm_chebyshev_series_over(const pm_chebyshev_series *series, double from, double to);
 
-/* The derivatives of a series that has begun; its bends as a series of their own, too; and narrower bounds by these, for parts that are halved until
- * their bends are known. */
+/* The derivatives of a series that has begun; its bends as a series of their own, too; and narrower bounds by these, for parts
+ * that are halved until their bends are known. */
 void pm_chebyshev_series_bends(pm_chebyshev_series *series, pm_chebyshev_series *bends);
 pm_chebyshev_part pm_chebyshev_series_narrow(const pm_chebyshev_series *series,
                                              const pm_chebyshev_series *bends, double from, double to);

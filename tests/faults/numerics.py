@@ -143,6 +143,24 @@ FAULTS = [
         "2.0 * j * c[j]",
     ),
     Fault(
+        "series: the lowest waves alone make its bend",
+        "numerics/chebyshev_series.c",
+        "others += j * j * (j * j - 1) * fabs",
+        "others += j * j * fabs",
+    ),
+    Fault(
+        "series: the lowest waves alone make its rate",
+        "numerics/chebyshev_series.c",
+        "others += j * j * fabs",
+        "others += fabs",
+    ),
+    Fault(
+        "bound: what bends all along a step has no top",
+        "events/extremum_bound.c",
+        "return series->value[2] > 0 || has_been_met(x->p, from, to);",
+        "return 1;",
+    ),
+    Fault(
         "series: no bound of the bend",
         "numerics/chebyshev_series.c",
         "part.bend = about(second[0], half * x->third)",
