@@ -10,8 +10,8 @@
 #include "numerics/tolerances.h"
 
 /* cos(pi k / 16), k from 0 to 8; then by its symmetries. */
-#define FIRST(k) \
-    ((k) == 0   ? 1 \
+#define FIRST(k)                       \
+    ((k) == 0   ? 1                    \
      : (k) == 1 ? 0.980785280403230449 \
      : (k) == 2 ? 0.923879532511286756 \
      : (k) == 3 ? 0.831469612302545237 \
@@ -22,9 +22,15 @@
                 : 0)
 #define HALF(k) ((k) <= 8 ? FIRST(k) : -FIRST(16 - (k)))
 #define COSINE(k) ((k) % 32 <= 16 ? HALF((k) % 32) : HALF(32 - (k) % 32))
-#define PAIR(i, m) {COSINE(2 * (i) * (m)), COSINE((2 * (i) + 1) * (m))}
-#define ROW(i) \
-    {PAIR(i, 0), PAIR(i, 1), PAIR(i, 2), PAIR(i, 3), PAIR(i, 4), PAIR(i, 5), PAIR(i, 6), PAIR(i, 7), PAIR(i, 8)}
+#define PAIR(i, m)                                         \
+    {                                                      \
+        COSINE(2 * (i) * (m)), COSINE((2 * (i) + 1) * (m)) \
+    }
+#define ROW(i)                                                                                          \
+    {                                                                                                   \
+        PAIR(i, 0), PAIR(i, 1), PAIR(i, 2), PAIR(i, 3), PAIR(i, 4), PAIR(i, 5), PAIR(i, 6), PAIR(i, 7), \
+            PAIR(i, 8)                                                                                  \
+    }
 /* cos(pi j m / 16) for two j at once, the even one and the next. */
 static const double cosine[PM_NODES_MOST / 2 + 1][PM_NODES_MOST / 2 + 1][2] = {
     ROW(0), ROW(1), ROW(2), ROW(3), ROW(4), ROW(5), ROW(6), ROW(7), ROW(8)};

@@ -32,6 +32,7 @@ static void begin_log(pm_evidence_log *log)
 void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
 {
     pm_pass *p = evidence->present;
+    evidence->unseen.t = NAN;
     if (!evidence->active) return;
     evidence->noise = PM_EVIDENCE_SEED;
     for (int i = 0; i < model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
@@ -39,7 +40,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     p->relative = p->late = 0;
     p->unsure = 0;
     p->cut = 0;
-    p->tied = p->unseen = NAN;
+    p->tied = NAN;
     for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     begin_log(&p->log);
 }
@@ -97,11 +98,8 @@ void pm_evidence_ties(pm_evidence *evidence, double t)
 
 void pm_evidence_unseen(pm_evidence *evidence, int table, int row, double t)
 {
-    pm_pass *p = evidence->present;
-    if (!evidence->active || evidence->seeks || !isnan(p->unseen)) return;
-    p->unseen = t;
-    p->unseen_table = table;
-    p->unseen_row = row;
+    if (evidence->seeks || !isnan(evidence->unseen.t)) return;
+    evidence->unseen = (pm_unseen){t, table, row};
 }
 
 int pm_evidence_has_series(const pm_pass *pass) { return pass->cut || pass->log.instant >= PART; }

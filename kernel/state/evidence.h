@@ -85,9 +85,7 @@ typedef struct pm_pass {
     int cut;          /* a series of blows without end was cut off, by its error in time */
     int unsure;       /* the extremes of such a function are not known */
     double tied; /* s, when a jump that was located and a time of the scene were at one instant; NaN: never */
-    double
-        unseen; /* s, from when on it was not told whether something fires, and what: table, row; NaN: never */
-    int unseen_table, unseen_row;
+    pm_unseen unseen;
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int coarse;
@@ -132,7 +130,7 @@ void pm_evidence_cut(pm_evidence *evidence);
 
 /* A jump that was located and a time of the scene are at one instant, t: which of both came first is not known. */
 void pm_evidence_ties(pm_evidence *evidence, double t);
-/* From t on it is open whether what watches for a row of a table fires: its bounds have come to their end before they told that. */
+/* From t on it is open whether what watches for a row of a table fires. */
 void pm_evidence_unseen(pm_evidence *evidence, int table, int row, double t);
 /* Whether a series of ever smaller blows was passed, or ended. */
 int pm_evidence_has_series(const pm_pass *pass);

@@ -162,6 +162,12 @@ typedef struct pm_firing {
     double jumped; /* s, when velocities jumped last at an instant that was located; not a number before */
 } pm_firing;
 
+/* Where bounds came to their end before they told whether something fires. */
+typedef struct pm_unseen {
+    double t;       /* s, of the first; NaN: never */
+    int table, row; /* whose it is */
+} pm_unseen;
+
 /* Whether errors and margins are estimated, and the pass that notes them (state/evidence.h). */
 typedef struct pm_evidence {
     int active;                    /* the present case is run for its errors too */
@@ -173,7 +179,8 @@ typedef struct pm_evidence {
     int pattern;                   /* by which what is read is shifted (study/natural_size.c) */
     double late;                   /* of the main pass, in its coarse run: that of pm_pass */
     double most_steps;             /* of a pass: what takes longer does not pay */
-    double loosest; /* tolerance that is enough for the present run of a find; 0: that of the pass */
+    double loosest;   /* tolerance that is enough for the present run of a find; 0: that of the pass */
+    pm_unseen unseen; /* in the present run, whether its errors are estimated or not */
     struct pm_pass *present;
 } pm_evidence;
 

@@ -122,6 +122,7 @@ static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double f
     w->record.history = trace;
     w->record.phases = phases;
     memcpy(p->count, w->result.count, sizeof p->count);
+    p->unseen = w->evidence.unseen;
     p->where = w->result.where;
     p->ordered = w->result.ordered;
     p->t = w->state.t;
@@ -179,7 +180,7 @@ static int find_coarse(pm_workspace *w, const double *param)
         e->other->log.n = 0; /* its own decisions are judged by that */
         e->other->outcome = e->main->outcome;
         e->other->tied = e->main->tied;
-        e->other->unseen = NAN; /* that of the main one is told */
+        e->other->unseen.t = NAN; /* that of the main one is told */
         e->other->count[PM_COUNT_JUMPS] = e->main->count[PM_COUNT_JUMPS];
         e->other->tolerance = e->main->tolerance;
         e->other->coarse = 1;
@@ -360,15 +361,15 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     pm_patience_begin(&w->patience);
     w->evidence.active = PM_SETTING(w->model, PM_SETTING_ESTIMATE);
     w->evidence.most_steps = INFINITY;
+    w->evidence.seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
     if (!w->evidence.active) {
         const int status = found ? pm_find_run(w, param, found) : pm_run(w, param);
         w->result.count[PM_COUNT_PASSES] = 1;
-        return status;
+        return status == PM_OK ? pm_margin_unseen(w) : status;
     }
     e->npass = 0;
     e->before = NULL;
     e->runs_find = found != NULL;
-    w->evidence.seeks = found != NULL && w->model->rows[PM_TABLE_FIND] > 0;
     e->main = &e->pass[0];
     e->other = &e->pass[1];
     e->spare = &e->pass[2];

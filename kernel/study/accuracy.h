@@ -40,6 +40,8 @@ int pm_margin_same_jumps(const pm_accuracy *e);
 /* The margin of the main pass, and its decision in e->closest; share: of the difference of both passes, what its error is taken
  * for.  Passes that came to other counts or statuses have a margin of 0, even where no log shows why. */
 double pm_margin_judge(pm_accuracy *e, double share);
+/* Of a run whose errors nobody estimates: PM_UNDECIDED where it was not told whether something fires, at which place and time. */
+int pm_margin_unseen(pm_workspace *w);
 /* The main pass ends as PM_UNDECIDED: of which decision, and when it was taken. */
 void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin);
 

@@ -135,7 +135,7 @@ int pm_margin_same_jumps(const pm_accuracy *e)
 }
 
 static int is_tied(const pm_pass *p) { return !isnan(p->tied); }
-static int is_unseen(const pm_pass *p) { return !isnan(p->unseen); }
+static int is_unseen(const pm_pass *p) { return !isnan(p->unseen.t); }
 
 double pm_margin_judge(pm_accuracy *e, double share)
 {
@@ -145,6 +145,20 @@ double pm_margin_judge(pm_accuracy *e, double share)
     closest.margin /= share;
     if (closest.margin < e->closest.margin) e->closest = closest;
     return fmin(e->closest.margin, a->margin);
+}
+
+static pm_where where_unseen(const pm_unseen *x)
+{
+    return (pm_where){x->table, x->row, PM_DECISION_HAPPENS, 0, 1};
+}
+
+int pm_margin_unseen(pm_workspace *w)
+{
+    const pm_unseen *x = &w->evidence.unseen;
+    if (isnan(x->t)) return PM_OK;
+    w->result.where = where_unseen(x);
+    w->state.t = x->t;
+    return PM_UNDECIDED;
 }
 
 void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
@@ -157,8 +171,8 @@ void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
     if (!isnan(t))
         p->where.member = PM_DECISION_ORDER;
     else if (is_unseen(unseen)) {
-        p->where = (pm_where){unseen->unseen_table, unseen->unseen_row, PM_DECISION_HAPPENS, 0, 0};
-        t = unseen->unseen;
+        p->where = where_unseen(&unseen->unseen);
+        t = unseen->unseen.t;
     } else if (e->closest.margin <= margin)
         p->where = pm_event_evidence_where(model, &e->closest, &t);
     else if (e->other->status != PM_OK) {

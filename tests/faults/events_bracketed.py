@@ -28,6 +28,12 @@ FAULTS = [
         "",
     ),
     Fault(
+        "margin: what nobody has seen is decided where no errors are estimated",
+        "study/accuracy.c",
+        "return status == PM_OK ? pm_margin_unseen(w) : status;",
+        "return status;",
+    ),
+    Fault(
         "margin: what nobody has seen is decided",
         "study/margin.c",
         "is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;",

@@ -61,7 +61,7 @@ static void other_ended(void)
     e.main = &e.pass[0];
     e.other = &e.pass[1];
     e.closest = (pm_closest){INFINITY, NULL, PM_NONE};
-    e.main->tied = e.other->tied = e.main->unseen = e.other->unseen = NAN;
+    e.main->tied = e.other->tied = e.main->unseen.t = e.other->unseen.t = NAN;
     e.main->outcome = 1;
     e.other->status = PM_BOUNCES_ON;
     e.other->where = (pm_where){PM_TABLE_CONTACT, 3, PM_NONE, 0.1, 0.2};

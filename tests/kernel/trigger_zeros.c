@@ -56,8 +56,9 @@ static void try_zeros(int route, int kind, int n)
     scene_free(x.s);
 }
 
-/* sin 2u - 2 sin u cos u, and next to nothing: what bounds leave open of a difference that is rounding is told, with the event and the time. */
-static void bounds_that_tell_nothing(void)
+/* sin 2u - 2 sin u cos u, and next to nothing: what bounds leave open of a difference that is rounding is told, with the event and
+ * the time, whether errors are estimated or not. */
+static void bounds_that_tell_nothing(int estimate)
 {
     double nothing = 0;
     wheel x = wheel_turning(PM_ROUTE_UNIFORM, END);
@@ -70,11 +71,12 @@ static void bounds_that_tell_nothing(void)
         scene_op(PM_OP_MUL), scene_op(PM_OP_ADD), scene_k(s, 2e-15), scene_op(PM_OP_ADD));
     const int event = scene_when(s, PM_TRIGGER_FALL, program);
     scene_ask_count(s, event);
-    *scene_setting(s, PM_SETTING_ESTIMATE) = 1;
+    *scene_setting(s, PM_SETTING_ESTIMATE) = estimate;
     EQUAL(scene_run(s, &nothing), PM_UNDECIDED);
     EQUAL(s->where[0], PM_TABLE_EVENT);
     EQUAL(s->where[1], event);
     EQUAL(s->where[2], PM_DECISION_HAPPENS);
+    CHECK(s->detail[PM_DETAIL_TIME] >= 0 && s->detail[PM_DETAIL_TIME] < END);
     scene_free(s);
 }
 
@@ -84,6 +86,6 @@ int main(void)
                      kinds[] = {PM_TRIGGER_CROSS, PM_TRIGGER_RISE, PM_TRIGGER_FALL};
     for (size_t r = 0; r < sizeof routes / sizeof *routes; r++)
         for (int i = 0; i < CASES; i++) try_zeros(routes[r], kinds[i % 3], 3 + i / 3 % 3);
-    bounds_that_tell_nothing();
+    for (int estimate = 0; estimate < 2; estimate++) bounds_that_tell_nothing(estimate);
     return check_failures();
 }
