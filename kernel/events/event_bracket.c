@@ -1,8 +1,7 @@
 /* event_bracket.c - between which places of a step a function goes through zero, from its samples.
  *
- * Two samples of different sign bracket a zero.  Where the function dips towards zero between nodes and is not through at
- * any of them, the bottom is looked for.  Of three nodes x_0 < x_1 < x_2 the middle one is lowest: the vertex of the
- * parabola through them,
+ * Two samples of different sign bracket a zero.  Where it dips towards zero between nodes, through at none of them, the bottom
+ * is looked for.  Of three nodes x_0 < x_1 < x_2 the middle one is lowest: the vertex of the parabola through them,
  *
  *   x = x_1 - g' / (2 b),    g = g_1 - g'^2 / (4 b)      g' its slope at x_1, 2 b its bend
  *
@@ -64,13 +63,21 @@ static double bottom(pm_workspace *w, pm_event_function *f, double s, double low
     return value;
 }
 
+/* What falls on where it goes `out` of what is searched has no bottom there: what is next shows how near to zero it comes. */
+static int falls_on(pm_workspace *w, pm_event_function *f, double s, double least, double x, double out)
+{
+    return out != 0 && s * pm_event_samples_along(w, x + PM_DIP_STEP * out, f) < least;
+}
+
 /* A function that came close to zero at `where` goes through it there, or has gone back: a decision to be noted. */
 static int reaches(pm_workspace *w, pm_event_function *f, double s, double around, double low, double high,
                    double *where, double *value)
 {
     const double least = bottom(w, f, s, low, high, where);
     *value = s * least;
-    if (least > 0 && least < f->near && f->kind != FUNCTION_MEETING && f->kind != FUNCTION_STRAND) {
+    const double out = *where >= high ? high - low : *where <= low ? low - high : 0;
+    if (least > 0 && least < f->near && f->kind != FUNCTION_MEETING && f->kind != FUNCTION_STRAND &&
+        !falls_on(w, f, s, least, *where, out)) {
         f->near = least;
         f->near_reach = around;
     }
@@ -380,9 +387,8 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
     pm_event_course of;
     pm_event_samples_take(&w->step, w->event, i, &of);
     of.bounded = pm_event_bound_is_known(w, i);
-    const int last = of.n - 1;
     int first = 0;
-    const int ends = (e->at_root || e->at_due) && pm_step_is_last(&w->step);
+    const int last = of.n - 1, ends = (e->at_root || e->at_due) && pm_step_is_last(&w->step);
     if (ends && fabs(of.g[last]) <= PM_ON_ZERO * of.biggest)
         pm_event_course_set(&of, last, 0); /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;

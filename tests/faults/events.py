@@ -205,7 +205,10 @@ FAULTS = [
         "k <= 1 &&",
     ),
     Fault(
-        "series: blows of one instant settle it", "events/blow_order.c", "pm_blows_flight(x, i) == 0 &&", "0 > i &&"
+        "series: blows of one instant settle it",
+        "events/blow_order.c",
+        "pm_blows_flight(x, i) == 0 &&",
+        "0 > i &&",
     ),
     Fault(
         "series: a coarse run ends it where the main one does",

@@ -3,6 +3,12 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "bound: what bends all along a step has no top",
+        "events/extremum_bound.c",
+        "return series->value[2] > 0 || has_been_met(x->p, from, to);",
+        "return 1;",
+    ),
     Fault("ask: marks do not solve", "events/ask.c", "raise_to(&a->fired_level, level);", ";"),
     Fault(
         "ask: what is cut off is no error",
@@ -95,12 +101,6 @@ FAULTS = [
         "events/extremum_bound.c",
         "if (p->top[i] >= from && p->top[i] <= to) return 1;",
         "return 1;",
-    ),
-    Fault(
-        "series: bends are as wide as their rate allows",
-        "numerics/chebyshev_series.c",
-        "part.bend = pm_chebyshev_series_over(bends, from, to).value;",
-        "",
     ),
     Fault(
         "branch: what comes after a jump stands as before it",

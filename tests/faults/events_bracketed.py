@@ -28,16 +28,10 @@ FAULTS = [
         "",
     ),
     Fault(
-        "margin: what nobody has seen is decided where no errors are estimated",
-        "study/accuracy.c",
-        "return status == PM_OK ? pm_margin_unseen(w) : status;",
-        "return status;",
-    ),
-    Fault(
-        "margin: what nobody has seen is decided",
-        "study/margin.c",
-        "is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;",
-        "is_tied(b)) return 0;",
+        "margin: what falls on beyond its samples has nearly not fired",
+        "events/event_bracket.c",
+        "return out != 0 && s *",
+        "return 0 && s *",
     ),
     Fault(
         "gap: the bottom of what grazes is told by a polynomial",

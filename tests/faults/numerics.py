@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "series: bends are as wide as their rate allows",
+        "numerics/chebyshev_series.c",
+        "part.bend = pm_chebyshev_series_over(bends, from, to).value;",
+        "",
+    ),
+    Fault(
         "a secant of rounding leads to another root",
         "numerics/bracket.c",
         "PM_BRACKET_LONGER * fabs(*x - place)",
@@ -153,12 +159,6 @@ FAULTS = [
         "numerics/chebyshev_series.c",
         "others += j * j * fabs",
         "others += fabs",
-    ),
-    Fault(
-        "bound: what bends all along a step has no top",
-        "events/extremum_bound.c",
-        "return series->value[2] > 0 || has_been_met(x->p, from, to);",
-        "return 1;",
     ),
     Fault(
         "series: no bound of the bend",

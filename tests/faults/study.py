@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "margin: what nobody has seen is decided where no errors are estimated",
+        "study/accuracy.c",
+        "return status == PM_OK ? pm_margin_unseen(w) : status;",
+        "return status;",
+    ),
+    Fault(
+        "margin: what nobody has seen is decided",
+        "study/margin.c",
+        "is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;",
+        "is_tied(b)) return 0;",
+    ),
+    Fault(
         "margin: loads of other modes are compared",
         "study/margin.c",
         "&& x->trial == y->trial &&",
