@@ -4,12 +4,6 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
-        "series: bends are as wide as their rate allows",
-        "numerics/chebyshev_series.c",
-        "part.bend = pm_chebyshev_series_over(bends, from, to).value;",
-        "",
-    ),
-    Fault(
         "a secant of rounding leads to another root",
         "numerics/bracket.c",
         "PM_BRACKET_LONGER * fabs(*x - place)",
