@@ -156,12 +156,6 @@ FAULTS = [
         "of->g, pm_event_samples_along, x) * 0) return 1;",
     ),
     Fault(
-        "bound: three nodes tell that no zero is near",
-        "events/event_bracket.c",
-        "return x->n >= PM_NODES &&",
-        "return",
-    ),
-    Fault(
         "search: what is on one side of zero is far from it",
         "events/event_bracket.c",
         "return PM_DIP_FAR * pm_max(of->biggest,",
