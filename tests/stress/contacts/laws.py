@@ -18,6 +18,7 @@ Array = npt.NDArray[np.float64]
 CLOSE = 1e-7  # of the velocities: the same
 SHARP = 1e-10  # likewise, where motions are nearer to each other, or to none, than that
 DEPENDS = 1e-3  # likewise, of that, of singular values: contacts depend on each other
+UNDRIVEN = 1e-11  # of the natural acceleration: drives nothing; PM_PULLS, by which the engine goes
 RESIDUE = 1e-14  # of the terms of an equation: large loads that nearly cancel leave so much
 OPEN, STICK, FORWARD, BACKWARD = range(4)
 
@@ -150,6 +151,16 @@ def accelerations(x: Problem, v: Array, close: float = CLOSE) -> list[Array]:
     if np.abs(x.jacobian @ v).max() <= 10 * close * x.scale and abs(v[2]) <= close * abs(x.before[2]):
         return [np.zeros(3)]  # it rests, and nothing drives it
     return allowed(x, _rates_at(x, v, close), close)
+
+
+def goes_on(x: Problem, v: Array, close: float = CLOSE) -> bool:
+    """Whether one motion goes on from a blow, by what the engine can see: a drift below that drives nothing.
+
+    Exactly, a drift may leave no motion, or several, however small it is beside the speed of the blow.
+    """
+    natural = x.scale**2 / float(np.abs(x.jacobian[:, :, 2]).max())
+    drift = float(np.abs(_rates_at(x, v, close).drift).max())
+    return drift <= UNDRIVEN * natural or len(accelerations(x, v, close)) == 1
 
 
 def allowed(x: Problem, at: Rates, close: float = CLOSE) -> list[Array]:
