@@ -81,9 +81,11 @@ def value(result: RunResult, name: str) -> float:
 
 
 def blocks(chosen: random.Random) -> str:
-    sign = chosen.choice((1, -1))
+    """A light sphere between a heavy one and a wall; on guides, which may hold their weights, or free."""
+    sign, guides = chosen.choice((1, -1)), chosen.choice((GUIDES, ""))
+    weighs = bool(guides) and chosen.choice((True, False))
     return filled(
-        BLOCKS,
+        BLOCKS.replace('plane = "horizontal"\n', "" if weighs else 'plane = "horizontal"\n'),
         WALL=-90 if sign > 0 else 90,
         SIGN=sign,
         RATIO=10 ** chosen.uniform(2, 6),
@@ -91,7 +93,7 @@ def blocks(chosen: random.Random) -> str:
         FAR=chosen.uniform(2.5, 4),
         SLOW=chosen.uniform(-0.5, 0.5),
         SPIN=chosen.choice((0, 3)),
-        GUIDES=chosen.choice((GUIDES, "")),
+        GUIDES=guides,
     )
 
 
