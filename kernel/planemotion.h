@@ -26,7 +26,7 @@ enum pm_status {
     /* what is sought lies at a bound of the interval, or where runs begin to fail: where = varied
      * parameter; detail = its value */
     PM_FIND_AT_BOUND = 7,
-    PM_UNDECIDED = 8, /* the run came to its end, but its errors might have changed a decision on the way, or nothing told it */
+    PM_UNDECIDED = 8, /* the run came to its end; its errors, or bounds, leave a decision on the way open */
     /* on the way a position was reached where nothing determines how it goes on: where = joint */
     PM_ENDS_SINGULAR = 9,
     /* a route in time was asked for and no time passes; all answers stand: where = setting */
