@@ -26,8 +26,7 @@ typedef struct pm_impact_given {
 
 typedef struct pm_blow {
     unsigned char *share; /* [nslot] enum pm_share */
-    unsigned char *
-        held; /* [nslot] closed after the blow, whatever it would do: enum pm_contact_mode that is tried first, else 0 */
+    unsigned char *held;  /* [nslot] closed after the blow whatever it would do: the mode tried first, or 0 */
     unsigned char *apart; /* [ncontact] enum pm_apart */
     int32_t *resting;     /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
     int32_t *trial;       /* [nslot] enum pm_contact_mode in the blow of what takes part */

@@ -184,7 +184,7 @@ FAULTS = [
         "if (nth == 0 && pm_ask_awaits(",
         "if (nth < 0 && pm_ask_awaits(",
     ),
-    Fault("turns: another contact", "routes/uniform/turns.c", "if (!(c.g > reach)) return 0", "(void)reach"),
+    Fault("turns: another contact", "routes/uniform/turns.c", "if (!(c.g > both)) return 0", "(void)both"),
     Fault(
         "turns: an extreme on the way",
         "routes/uniform/turns.c",

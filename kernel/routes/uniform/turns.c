@@ -19,6 +19,7 @@
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
+#include "impact/contact_modes.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
@@ -40,9 +41,9 @@ static int is_one_side(const pm_workspace *w, int contact)
 
 static int is_lossless(const pm_workspace *w, int contact)
 {
+    const int member = w->state.slot[w->model->contact_slot[contact]].member;
     return is_one_side(w, contact) && pm_contact_restitution(&w->frame, contact) == 1 &&
-           (pm_contact_friction(w->model, contact) == PM_FRICTION_SMOOTH ||
-            (pm_contact_static(&w->frame, contact) == 0 && pm_contact_kinetic(&w->frame, contact) == 0));
+           pm_contact_modes_of_slip(&w->frame, contact, member) == PM_SMOOTH;
 }
 
 /* The last blow, of a phase that ended with the velocities `before`, was at this contact alone, and mirrored them. */
@@ -135,40 +136,45 @@ static int holds_on(pm_workspace *w, const pm_wedge *x)
     return 1;
 }
 
-/* How far from here it comes along side A, and off it, until `last`. */
-static void reach_in_wedge(const pm_wedge *x, double pairs, double *along, double *off)
+/* How far it comes from here along side A, and off it, in how many s. */
+typedef struct pm_turns_reach {
+    double along, off, time;
+} pm_turns_reach;
+
+static pm_turns_reach reach_in_wedge(const pm_wedge *x, double pairs)
 {
     const pm_met last = pm_wedge_met(x, 0, 2 * pairs), at = pm_wedge_met(x, 1, 2 * pairs - 1),
                  next = pm_wedge_met(x, 1, 1);
     const double apex = x->far / x->sine, nearest = apex * x->b / hypot(x->a, x->b);
-    *off = pm_max(next.off, at.off);
-    *along = pm_max(fabs(last.along), pm_max(fabs(at.along), fabs(next.along)));
+    pm_turns_reach reach = {.along = pm_max(fabs(last.along), pm_max(fabs(at.along), fabs(next.along))),
+                            .off = pm_max(next.off, at.off),
+                            .time = last.time};
     if (x->cosine < 0)
-        *along = *off = 2 * apex + 2 * fabs(last.along);
+        reach.along = reach.off = 2 * apex + 2 * fabs(last.along);
     else if (x->a < 0 && last.a > 0)
-        *along = pm_max(apex - nearest * x->cosine, *along);
+        reach.along = pm_max(apex - nearest * x->cosine, reach.along);
+    return reach;
 }
 
 /* How far a body comes from where it is. */
-static double reach_of(const pm_workspace *w, const pm_wedge *x, int body, double pairs, double time)
+static double reach_of(const pm_workspace *w, const pm_wedge *x, const pm_turns_reach *reach, int body)
 {
     if (body == w->model->nbody) return 0;
     const double lever[] = {1, 1, w->numbers.size + pm_contact_reach(w)};
-    double along, off, sum = 0;
-    reach_in_wedge(x, pairs, &along, &off);
+    double sum = 0;
     for (int k = 0; k < 3; k++) {
         const int i = 3 * body + k;
         const double rest = w->uniform->v[i] - x->a * x->along[i] - x->b * x->off[i];
-        sum += lever[k] * (fabs(rest) * time + along * fabs(x->along[i]) + off * fabs(x->off[i]));
+        sum += lever[k] *
+               (fabs(rest) * reach->time + reach->along * fabs(x->along[i]) + reach->off * fabs(x->off[i]));
     }
     return sum;
 }
 
 static int others_stay_open(pm_workspace *w, const pm_wedge *x, double pairs)
-
 {
     const pm_model *m = w->model;
-    const double time = pm_wedge_met(x, 0, 2 * pairs).time;
+    const pm_turns_reach reach = reach_in_wedge(x, pairs);
     pm_uniform_look(w, 0);
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         int member[2];
@@ -177,12 +183,11 @@ static int others_stay_open(pm_workspace *w, const pm_wedge *x, double pairs)
                           : pm_contact_near(&w->frame, &w->state, i, 2, member);
         for (int k = 0; k < n; k++) {
             pm_constraint c;
-            double reach = 0;
+            double both = 0;
             pm_contact_constraint_normal(&w->frame, i, m->contact_slot[i], member[k], &c);
             pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
-            for (int p = 0; p < pm_constraint_bodies(&c); p++)
-                reach += reach_of(w, x, c.body[p], pairs, time);
-            if (!(c.g > reach)) return 0;
+            for (int p = 0; p < pm_constraint_bodies(&c); p++) both += reach_of(w, x, &reach, c.body[p]);
+            if (!(c.g > both)) return 0;
         }
     }
     return 1;

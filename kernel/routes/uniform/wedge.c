@@ -21,21 +21,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "elements/contact.h"
+#include "impact/contact_modes.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
 #include "state/frame.h"
 
 /* ---- its sides ---- */
-static pm_constraint normal_of(const pm_workspace *w, int contact)
-{
-    const int slot = w->model->contact_slot[contact];
-    pm_constraint c;
-    pm_contact_constraint_normal(&w->frame, contact, slot, w->state.slot[slot].member, &c);
-    pm_constraint_kind(c.kind)->evaluate(&w->frame, &c);
-    return c;
-}
-
 void pm_wedge_respond(const pm_numbers *numbers, const pm_constraint *c, double factor, double *out)
 {
     for (int p = 0; p < pm_constraint_bodies(c); p++)
@@ -46,7 +37,7 @@ void pm_wedge_respond(const pm_numbers *numbers, const pm_constraint *c, double 
 /* A slim wedge would make much of rounding, and curved sides more at every blow. */
 pm_constraint pm_wedge_side(const pm_workspace *w, int contact)
 {
-    pm_constraint c = normal_of(w, contact);
+    pm_constraint c = pm_contact_modes_normal(&w->frame, &w->state, w->model->contact_slot[contact]);
     for (int i = 0; i < 3 * pm_constraint_bodies(&c); i++)
         if (fabs(c.j[i]) <= PM_STEADY_ROUNDING) c.j[i] = 0;
     return c;
