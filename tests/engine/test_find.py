@@ -105,6 +105,15 @@ def test_a_threshold() -> None:
         assert abs(number(result.omega) - wanted) <= number(result.asks["omega"].error) < 1e-10 * wanted
 
 
+@pytest.mark.parametrize(("length", "greatest"), [(0.5, 20), (1.1, 22), (0.8, 20)])
+def test_a_threshold_at_a_place_of_rest(length: float, greatest: float) -> None:
+    """Runs beside it end their steps at rest but for rounding, with the place of rest a step behind."""
+    find = f'vary.omega = ["1 rad/s", "{greatest} rad/s"]\nleast = "omega"\nwhere = "over happens"'
+    rod = ROD.replace("180 deg", "190 deg") + '\n[solve]\nmax_time = "1e6 s"'
+    result = found(rod, find, L=f"{length} m")
+    assert result.omega == pytest.approx(math.sqrt(6 * G / length) * 30 / math.pi, rel=1e-9)
+
+
 def test_a_threshold_with_a_size() -> None:
     find = 'vary.v = ["1 m/s", "20 m/s"]\nleast = "v"\nwhere = "P.x >= wanted"'
     result = found(THROW, find)

@@ -310,18 +310,22 @@ static int try_step(pm_workspace *w, double h, int reverses, double *next)
 int pm_path_take_step(pm_workspace *w, double full)
 {
     pm_path *p = w->path;
-    double h = full, next;
-    int reverses = 0, halved = 0;
+    double h = full, next, refused = INFINITY; /* the shortest step that was not resolved */
+    int reverses = 0, halved = 0, parted = 0;
     p->clock.tail = INFINITY;
     for (;;) {
         const int status = try_step(w, h, reverses, &next);
         if (status) return status;
         if (next == 0) break;
         reverses = !p->halved && !p->at_rest; /* not a halving: the way to a turning point */
-        if (reverses && w->numbers.coarse > 1 &&
+        if (p->halved) refused = pm_min(h, refused);
+        /* behind an end that is at rest but for rounding lies what was too long */
+        if (reverses && next >= refused) next = h;
+        if (reverses && w->numbers.coarse > 1 && !parted &&
             next > PM_PATH_PART * full) { /* other steps in a coarse run */
             next *= 0.5;
             reverses = 0;
+            parted = 1;
         }
         halved |= p->halved;
         h = next;
