@@ -35,7 +35,7 @@ static double rate_at(const pm_frame *frame, int program, double t)
 double pm_drive_program(pm_workspace *w, int program)
 {
     const double t = w->frame.t;
-    w->frame.t = pm_frame_side_time(&w->frame, t);
+    w->frame.t = pm_frame_side_time(&w->frame, t + w->frame.time_off);
     const double x = pm_program_run(w, program);
     w->frame.t = t;
     return x;

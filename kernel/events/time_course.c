@@ -16,6 +16,7 @@
 #include "numerics/tolerances.h"
 #include "scene/reference.h"
 #include "state/arena.h"
+#include "state/evidence.h"
 #include "state/frame.h"
 #include "state/route.h"
 
@@ -23,11 +24,13 @@ typedef struct pm_time_course {
     int *program; /* [n] that are not linear in the time */
     double *size; /* [n] greatest value that an enclosure has shown in the run */
     int n;
-    double end;   /* of the run, s */
-    double next;  /* the next switch, s; INFINITY: there is none before the end */
-    double after; /* the number behind it */
-    double shown; /* up to where all programs are shown */
-    double apart; /* s, distance of the samples that tell them */
+    double end;       /* of the run, s */
+    double next;      /* the next switch, s; INFINITY: there is none before the end */
+    double after;     /* the number behind it */
+    double shown;     /* up to where all programs are shown */
+    double apart;     /* s, distance of the samples that tell them */
+    double strongest; /* greatest sum of the squares of the programs where a step began */
+    double rounded;   /* of the last coarse run: pm_time_course_rounded */
 } pm_time_course;
 
 /* ---- which programs ---- */
@@ -107,6 +110,51 @@ static int first_switch(const pm_workspace *w, double from, double *before, doub
     return 0;
 }
 
+/* ---- what rounding times does ---- */
+/* Of the squares of all programs, and by how much they grow. */
+static void find_strength(const pm_workspace *w, double t, double *strength, double *growth)
+{
+    *strength = *growth = 0;
+    for (int i = 0; i < w->step.course->n; i++) {
+        const pm_jet x = enclose(w, i, t, t).jet;
+        *strength += x.value.lo * x.value.lo;
+        *growth += x.value.lo * x.rate.lo;
+    }
+}
+
+static int shows_rounding(const pm_evidence *evidence)
+{
+    return pm_evidence_is_coarse(evidence) && !evidence->calm;
+}
+
+/* What a coarse run adds to the time of a switch, or to that at which forces are taken in a step: what rises begins earlier, what
+ * falls ends later, lest the ends of a narrow pulse are off alike and nobody sees it. */
+static double switch_rounding(pm_workspace *w, double from, double before, double after)
+{
+    pm_time_course *c = w->step.course;
+    const double off = PM_TIME_ROUNDED * before;
+    double one, other, growth;
+    if (isinf(before) || !shows_rounding(&w->evidence)) return 0;
+    find_strength(w, before, &one, &growth);
+    find_strength(w, after, &other, &growth);
+    if (from > 0 && other != one) c->rounded = fmax(off / (before - from), c->rounded);
+    return copysign(off, one - other);
+}
+
+static double force_rounding(pm_workspace *w)
+{
+    pm_time_course *c = w->step.course;
+    const double off = PM_TIME_ROUNDED * w->state.t;
+    double strength, growth;
+    if (!shows_rounding(&w->evidence)) return 0;
+    find_strength(w, w->state.t, &strength, &growth);
+    c->strongest = fmax(strength, c->strongest);
+    if (c->strongest > 0) c->rounded = fmax(off * fabs(growth) / c->strongest, c->rounded);
+    return copysign(off, growth);
+}
+
+double pm_time_course_rounded(const pm_workspace *w) { return w->step.course->rounded; }
+
 /* The next switch behind `from`, which is on the side that holds until then. */
 static void find_next(pm_workspace *w, double from)
 {
@@ -116,7 +164,7 @@ static void find_next(pm_workspace *w, double from)
         from = after;
         before = after = INFINITY;
     }
-    c->next = before;
+    c->next = before + switch_rounding(w, from, before, after);
     c->after = after;
     c->shown = -INFINITY;
     w->frame.side = (pm_side){from, before};
@@ -129,6 +177,9 @@ void pm_time_course_begin(pm_workspace *w)
     c->next = INFINITY;
     if (c->n == 0) return;
     c->apart = 0;
+    c->strongest = 0;
+    if (pm_evidence_is_coarse(&w->evidence)) c->rounded = 0;
+    w->frame.time_off = 0;
     c->end = pm_case_max_time(w->model, &w->numbers);
     for (int i = 0; i < c->n; i++) c->size[i] = 0;
     find_next(w, w->state.t);
@@ -179,6 +230,7 @@ double pm_time_course_limit(pm_workspace *w, double length)
     pm_time_course *c = w->step.course;
     const double from = w->state.t, most = fmin(c->next, c->end);
     if (c->n == 0) return INFINITY;
+    w->frame.time_off = force_rounding(w);
     if (c->shown >= most || from + PM_TIME_ENOUGH * length < c->shown) return reach(w);
     double to = length > 0 ? fmin(most, from + ahead(w, length)) : most;
     for (int i = 0; i < PM_TIME_HALVINGS && to > from && !is_shown(w, fmax(from, w->frame.side.from), to);

@@ -14,5 +14,7 @@ void pm_time_course_begin(pm_workspace *w);
 double pm_time_course_limit(pm_workspace *w, double length);
 /* 1 if some program switches at w->state.t: from here on it is as after that. */
 int pm_time_course_switch(pm_workspace *w);
+/* How much of a pulse, at the most, rounding its times has made in the last coarse run: that does not go with the tolerance. */
+double pm_time_course_rounded(const pm_workspace *w);
 
 #endif

@@ -174,6 +174,7 @@
 #define PM_TIME_BUDGET 4096 /* stretches that are looked at for a switch; more would only put off a phase end */
 #define PM_TIME_SAME 2.3e-16 /* of the time: neighbouring numbers; larger: switches less exact */
 #define PM_TIME_ROUNDING 2e-15 /* of the time: a jump so shortly before a time of the scene may come after it; larger: right answers are called undecided */
+#define PM_TIME_ROUNDED 3e-16 /* of the time of a switch or of a force, in coarse runs: its own rounding and that of the program; more: errors of short pulses estimated larger */
 #define PM_TIME_TOGETHER 1e-14 /* of the time: a switch that is so near belongs to an instant; larger: switches less exact, less: no step fits between */
 #define PM_HISTORY_PARTING 0.4 /* of a stretch between two rows of a history: off the middle, where a chord may cross; less: a worse look */
 #define PM_HISTORY_SAFETY 2.0 /* times what a chord misses there: it misses more elsewhere; larger: more rows, less: bends are passed */
@@ -307,6 +308,7 @@
 #define PM_ACCURACY_OF_STEP 2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
 #define PM_ACCURACY_OF_MOTION 0.1 /* of the error of the state at the end, as a time: least error of what is asked there; more: told too large; less: differences that are small by chance are believed */
 #define PM_ACCURACY_NEIGHBOURS 8 /* part of a list that is known no better than its worst value; more: errors that are small by chance are believed */
+#define PM_SCALES_TIMES 0.01 /* of the accuracy: rounded times make more of a pulse, and errors do not go with the tolerance alone; more: they are told too small */
 #define PM_SCALES_STEPS 0.6 /* of the power by which steps should grow with the tolerance: other limits chose them below; less: rounding is taken for the error of a method */
 #define PM_SCALES_ERRORS 10.0 /* times the error that should be left at a tighter tolerance: it is of another kind beyond; more: such errors are told too small */
 #define PM_ACCURACY_PAYS 0.8 /* of the errors before: what a tighter pass must leave to pay; more: passes that gain little */

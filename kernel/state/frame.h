@@ -26,6 +26,8 @@ typedef struct pm_frame {
     const pm_numbers *numbers; /* of the case */
     double t;
     pm_side side; /* programs of forces and drives are taken as they are within it, at its ends too */
+    double
+        time_off; /* s: what a coarse run adds to the time of forces, in each step another (events/time_course.h) */
     const double *q, *v, *z;
     const pm_memory *memory;
     int level;

@@ -20,6 +20,7 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/history.h"
+#include "events/time_course.h"
 #include "expression/program_class.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
@@ -265,6 +266,7 @@ static int judge_beside_before(pm_workspace *w, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
     if (pm_evidence_has_series(e->main) || pm_evidence_has_series(e->spare)) return 0; /* both cut it alike */
+    if (pm_time_course_rounded(w) > PM_SCALES_TIMES * w->numbers.accuracy) return 0;
     if (w->evidence.seeks || !(w->phase.route->steps_by_tolerance > 0) ||
         !steps_go_with_tolerance(&w->phase, e->spare, e->main))
         return 0;

@@ -228,7 +228,7 @@ FAULTS = [
     Fault(
         "time: switches of a force end no phase",
         "events/time_course.c",
-        "c->next = before;",
+        "c->next = before + switch_rounding(w, from, before, after);",
         "c->next = INFINITY;",
     ),
     Fault(

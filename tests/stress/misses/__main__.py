@@ -13,10 +13,12 @@ from rich.console import Console
 from rich.table import Table
 
 from tests.stress.misses import asks, peaks, pulses, waves
-from tests.stress.misses.verdict import BEYOND, MISSED, RIGHT, TOLD
+from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors, Verdict
 
 BATCHES = {"pulses": 200, "waves": 200, "peaks": 10, "asks": 10}  # cases of one scene, run as one sweep
 SHOWN = 10  # faults that are shown
+
+Key = tuple[str, str, str]  # kind, motion, route
 
 
 def main() -> int:
@@ -35,11 +37,11 @@ def main() -> int:
         for kind, batch in BATCHES.items()
         for i in range(-(-getattr(given, kind) // batch))
     ]
-    found: dict[tuple[str, str, str], Counter[str]] = {}
+    found: dict[Key, list[Verdict]] = {}
     faults: list[str] = []
     with multiprocessing.Pool(given.jobs) as pool:
-        for key, words, wrong in pool.imap_unordered(_batch, tasks):
-            found.setdefault(key, Counter()).update(words)
+        for key, verdict, wrong in pool.imap_unordered(_batch, tasks):
+            found.setdefault(key, []).append(verdict)
             faults += wrong
     console.print(_table(found))
     for fault in faults[:SHOWN]:
@@ -48,36 +50,46 @@ def main() -> int:
     return 1 if faults else 0
 
 
-def _batch(task: tuple[str, int]) -> tuple[tuple[str, str, str], Counter[str], list[str]]:
+def _batch(task: tuple[str, int]) -> tuple[Key, Verdict, list[str]]:
     kind, seed = task
     n = BATCHES[kind]
     if kind == "pulses":
-        train, words, drawn = pulses.table(seed, n)
+        train, verdict, drawn = pulses.table(seed, n)
         what, route = "on a spring" if train.spring else "free", train.route
     elif kind == "waves":
-        wave, words, drawn = waves.table(seed, n)
+        wave, verdict, drawn = waves.table(seed, n)
         what, route = wave.motion, wave.route
     elif kind == "peaks":
-        peak, words, drawn = peaks.table(seed, n)
+        peak, verdict, drawn = peaks.table(seed, n)
         what, route = peak.name, peak.route
     else:
-        ask, words, drawn = asks.table(seed, n)
+        ask, verdict, drawn = asks.table(seed, n)
         what, route = ask.move, ask.route
     wrong = [
         f"{kind} {seed}, case {i} ({what}, {route or 'default'}): {word}: {drawn[i].tolist()}"
-        for i, word in enumerate(words)
+        for i, word in enumerate(verdict.words)
         if word in (BEYOND, MISSED)
     ]
-    return (kind, what, route or "default"), Counter(words), wrong
+    return (kind, what, route or "default"), verdict, wrong
 
 
-def _table(found: dict[tuple[str, str, str], Counter[str]]) -> Table:
-    columns = (RIGHT, TOLD, waves.NOT_JUDGED, BEYOND, MISSED)
-    shown = Table("kind", "motion", "route", *columns, title="short beside the run")
-    for key, counts in sorted(found.items()):
-        bad = counts[BEYOND] + counts[MISSED]
-        shown.add_row(*key, *(str(counts[word]) for word in columns), style="red" if bad else None)
+def _table(found: dict[Key, list[Verdict]]) -> Table:
+    words = (RIGHT, TOLD, NOT_JUDGED, BEYOND, MISSED)
+    shown = Table(
+        "kind", "motion", "route", *words, "answers", "true <= estimate [%]", "median estimate / true"
+    )
+    for key, verdicts in sorted(found.items()):
+        _add(shown, key, verdicts)
+    _add(shown, ("all", "", ""), [one for verdicts in found.values() for one in verdicts])
     return shown
+
+
+def _add(shown: Table, key: Key, verdicts: list[Verdict]) -> None:
+    counts = Counter(word for one in verdicts for word in one.words)
+    errors = Errors.joined(one.errors for one in verdicts)
+    told = (str(len(errors.true)), f"{100 * errors.covered():.2f}", f"{errors.median():.3g}")
+    words = (str(counts[word]) for word in (RIGHT, TOLD, NOT_JUDGED, BEYOND, MISSED))
+    shown.add_row(*key, *words, *told, style="red" if counts[BEYOND] + counts[MISSED] else None)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from planemotion.engine.call import run_cases
 from tests.stress.contacts.laws import Array
 from tests.stress.misses import peaks, tops
 from tests.stress.misses.motions import GRAVITY, OMEGA
-from tests.stress.misses.verdict import words
+from tests.stress.misses.verdict import Verdict, judge
 
 # Functions of {X}, with a place a and a width w; each feature of an ask has its own.
 FEATURES = {
@@ -235,7 +235,7 @@ def cases_of(seed: int, n: int) -> tuple[Ask, list[dict[str, float]]]:
     return ask, [numbers(ask, rng) for _ in range(n)]
 
 
-def table(seed: int, n: int) -> tuple[Ask, list[str], Array]:
+def table(seed: int, n: int) -> tuple[Ask, Verdict, Array]:
     """An ask, what became of n cases of it, and their numbers: v, h, m, c, and a, w, q of each feature."""
     ask, cases = cases_of(seed, n)
     (flat,) = planemotion.load_text(ask.text).tables()
@@ -246,5 +246,5 @@ def table(seed: int, n: int) -> tuple[Ask, list[str], Array]:
     is_open = np.array([unsure for _, unsure in truths])
     truth[is_open, UPS] = found.out[is_open, UPS]
     width = np.array([min(p[f"w{j}"] for j in range(len(ask.features))) for p in cases])[:, None]
-    told = words(found, truth, np.maximum(np.abs(truth), 1), peaks.ROUNDING + 1e-12 / width)
+    told = judge(found, truth, np.maximum(np.abs(truth), 1), peaks.ROUNDING + 1e-12 / width)
     return ask, told, np.array([list(p.values()) for p in cases])

@@ -18,14 +18,13 @@ import planemotion
 from planemotion.engine.call import run_cases
 from tests.stress.contacts.laws import Array
 from tests.stress.misses.motions import COORDINATES, END, GRAVITY, SCENES, place
-from tests.stress.misses.verdict import RIGHT, TOLD, words
+from tests.stress.misses.verdict import Verdict, judge
 
 GRID = 4001  # places of the whole run: a coordinate turns at most once between three of them
 PIECE = np.sin(np.pi / 2 * np.linspace(-1, 1, 41)) / 2 + 0.5  # places of a piece
 INSIDE = 1e-7  # of a piece: what jumps at its ends is read so far from them
 LEAST = 1e-13  # s: no piece is shorter
 NEAR = 1e-7  # so near to its level a piece may pass it or not: not judged
-NOT_JUDGED = "on an edge"
 ROUNDING = 1e-10  # of an answer
 Levels = Callable[[Mapping[str, float]], list[tuple[str, float]]]
 
@@ -253,7 +252,7 @@ def cases_of(seed: int, n: int) -> tuple[Peak, list[dict[str, float]]]:
     return peak, [numbers(peak, rng) for _ in range(n)]
 
 
-def table(seed: int, n: int) -> tuple[Peak, list[str], Array]:
+def table(seed: int, n: int) -> tuple[Peak, Verdict, Array]:
     """A peak, what became of n cases of it, and their numbers: v, u, q, n, p, w, c, level, a, b, pi."""
     peak, cases = cases_of(seed, n)
     (flat,) = planemotion.load_text(peak.text).tables()
@@ -262,9 +261,6 @@ def table(seed: int, n: int) -> tuple[Peak, list[str], Array]:
     given = np.array([[{**p, "g": GRAVITY}[name] for name in flat.parameters] for p in cases])
     found = run_cases(flat, given)
     width = np.array([p["w"] for p in cases])[:, None]
-    told = words(found, truth, np.maximum(np.abs(truth), 1), ROUNDING + 1e-12 / width)
-    judged = [
-        NOT_JUDGED if on and word not in (RIGHT, TOLD) else word
-        for (_, on), word in zip(truths, told, strict=True)
-    ]
+    edge = np.array([on for _, on in truths])
+    judged = judge(found, truth, np.maximum(np.abs(truth), 1), ROUNDING + 1e-12 / width, edge)
     return peak, judged, np.array([list(p.values()) for p in cases])

@@ -13,7 +13,7 @@ import numpy as np
 import planemotion
 from planemotion.engine.call import run_cases
 from tests.stress.contacts.laws import Array
-from tests.stress.misses.verdict import ROUNDING, words
+from tests.stress.misses.verdict import ROUNDING, Verdict, judge
 
 SHAPES = {
     "rectangle": "(J{i}/w{i})*(t >= c{i} - w{i}/2)*(t < c{i} + w{i}/2)",
@@ -70,7 +70,7 @@ def _integral(shape: str, impulse: Array, middle: Array, width: Array, spring: b
     return (weight * speed).sum(axis=1), (weight * place).sum(axis=1)
 
 
-def table(seed: int, n: int) -> tuple[Train, list[str], Array]:
+def table(seed: int, n: int) -> tuple[Train, Verdict, Array]:
     """A train, what became of n cases of it, and their parameters [n, 3 pulses]: J, c, w of each."""
     rng = np.random.default_rng([18, seed])
     train = draw(rng)
@@ -88,4 +88,4 @@ def table(seed: int, n: int) -> tuple[Train, list[str], Array]:
     given = np.stack([columns[name] for name in flat.parameters], axis=1)
     found = run_cases(flat, given)
     drawn = np.stack([columns[f"{name}{i}"] for i in range(k) for name in "Jcw"], axis=1)
-    return train, words(found, truth, size, rounding), drawn
+    return train, judge(found, truth, size, rounding), drawn

@@ -13,11 +13,10 @@ import numpy as np
 import planemotion
 from planemotion.engine.call import run_cases
 from tests.stress.contacts.laws import Array
-from tests.stress.misses.verdict import RIGHT, TOLD, words
+from tests.stress.misses.verdict import Verdict, judge
 
 MOTIONS = ("goes on", "comes back", "swings")
 NEAR = 1e-6  # rad: crossings so near to an end or to a place where it comes back are not judged
-NOT_JUDGED = "on an edge"
 
 
 @dataclass(frozen=True)
@@ -106,7 +105,7 @@ def draw(rng: np.random.Generator) -> Wave:
     )
 
 
-def table(seed: int, cases: int) -> tuple[Wave, list[str], Array]:
+def table(seed: int, cases: int) -> tuple[Wave, Verdict, Array]:
     """A motion, what became of its cases, and their parameters [cases, 4]: n, p, c, v."""
     rng = np.random.default_rng([81, seed])
     wave = draw(rng)
@@ -122,8 +121,5 @@ def table(seed: int, cases: int) -> tuple[Wave, list[str], Array]:
     columns["g"] = np.full(cases, 9.81)
     found = run_cases(flat, np.stack([columns[name] for name in flat.parameters], axis=1))
     size = np.maximum(np.abs(truth), 1)
-    told = words(found, truth, size)
-    judged = [
-        NOT_JUDGED if on and word not in (RIGHT, TOLD) else word for on, word in zip(edge, told, strict=True)
-    ]
+    judged = judge(found, truth, size, edge=edge)
     return wave, judged, np.stack([columns[name] for name in "npcv"], axis=1)
