@@ -142,7 +142,7 @@ def test_parameters_and_runs_are_chosen() -> None:
     assert float(planemotion.load_text(text).history(v="1 m/s")["b.velocity.y"][0]) == 1
     runs = planemotion.load_text(text + '\n[runs]\nslow = { v = "1 m/s" }\nfast = { v = "5 m/s" }\n')
     assert float(runs.history()["b.velocity.y"][0]) == 1
-    fast = runs.history(of_run="fast", every=0.5)
+    fast = runs.history(of_run="fast", every="0.5 s")
     assert float(fast["b.velocity.y"][0]) == 5
     assert fast.attrs["run"] == "fast"
 
@@ -153,13 +153,29 @@ def test_a_run_that_ends_early_is_recorded_up_to_there() -> None:
     assert found.t.values.tolist() == pytest.approx([0, 0.1, 0.2, 0.25])
 
 
+WANTED = 'a time such as "10 ms" is wanted'
+
+
 @pytest.mark.parametrize(
-    ("every", "reason"), [("10 kg", "such as"), ("0 s", "above zero"), (-1, "above zero"), ("soon", "soon")]
+    ("every", "reason"),
+    [
+        ("0.1", f'every = "0.1": a plain number; {WANTED}'),
+        (0.1, f"every = 0.1: a plain number; {WANTED}"),
+        ("10 kg", f'every = "10 kg": a mass; {WANTED}'),
+        ("10 sek", f'every = "10 sek": unknown unit "sek"; {WANTED}'),
+        ("soon", f'every = "soon": {WANTED}'),
+        ([1], f"every = [1]: {WANTED}"),
+        ("0 s", 'every = "0 s": a time above zero is wanted'),
+        ("-1 s", 'every = "-1 s": a time above zero is wanted'),
+        (0, "every = 0: a time above zero is wanted"),
+        (math.inf, f"every = inf: the number must be finite; {WANTED}"),
+    ],
 )
-def test_a_distance_that_is_no_time_is_refused(every: object, reason: str) -> None:
-    with pytest.raises(SceneError, match=reason) as caught:
-        scene_of(BALL).history(every=every)
-    assert caught.value.path == "every"
+def test_what_is_no_time_is_refused(every: object, reason: str) -> None:
+    scene = planemotion.load_text(BALL, file="ball.toml")
+    with pytest.raises(SceneError) as caught:
+        scene.history(every=every)
+    assert str(caught.value) == reason
 
 
 def test_a_quantity_that_the_scene_does_not_have_is_named() -> None:

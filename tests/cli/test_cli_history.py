@@ -57,6 +57,10 @@ def test_a_table_of_runs_names_them(folder: Path) -> None:
         (("--history", "h.xls"), "a history is written as one of .h5, .nc, .csv"),
         (("--every", "1 s"), "are for --history FILE"),
         (("--history", "h.csv", "--every", "1 kg"), 'such as "10 ms"'),
+        (
+            ("--history", "h.csv", "--every", "0.1"),
+            'every = "0.1": a plain number; a time such as "10 ms" is wanted',
+        ),
         (("--history", "h.csv", "--quantity", "b.z"), 'no point or quantity "z"'),
     ],
 )

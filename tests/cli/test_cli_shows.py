@@ -201,13 +201,18 @@ def test_a_scene_is_drawn_at_an_instant(folder: Path, at: str, wanted: float | N
         ("low 2", "the run has 1 of these"),
         ("before low 2", "the run has 1 of these"),
         ("after low", 'write "low": that is just after the event, "before low" just before it'),
-        ("3 kg", "a time such as"),
+        ("low soon", "the run has 1 of these"),
+        ("", "nothing of that name happens"),
+        ("3 kg", "a mass; a time such as"),
+        ("0.1", "a plain number; a time such as"),
+        (".1", "a plain number; a time such as"),
+        ("-1 s", "a run begins at 0 s"),
     ],
 )
 def test_an_instant_that_does_not_come_is_told(folder: Path, at: str, reason: str) -> None:
     done = invoke("draw", write(folder, "a.toml", RELEASED), "--at", at)
     assert done.exit_code == 2
-    assert reason in done.stderr
+    assert f'a.toml: at = "{at}": {reason}' in done.stderr
     assert left_in(folder) == {"a.toml"}
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -10,8 +9,7 @@ from .base.errors import SceneError
 from .compile.flatten import flatten
 from .engine import recording
 from .engine.history import dataset
-from .language.dimensions import TIME
-from .language.units import parse_quantity
+from .language.units import seconds_of
 
 if TYPE_CHECKING:
     import xarray
@@ -40,10 +38,10 @@ def record(
     """The history of one run, SI.
 
     `quantities`: expressions; none: positions, velocities and energies, and the reactions that asks read.
-    `every`: a time such as "10 ms", or a number in s; None: as many instants as straight lines need.  Raises
-    SceneError for what the scene does not have, SimulationError if nothing can be recorded.
+    `every`: a time such as "10 ms"; None: as many instants as straight lines need.  Raises SceneError for
+    what the scene does not have, SimulationError if nothing can be recorded, StudyError if it would be too much.
     """
-    seconds = None if every is None else seconds_of(every)
+    seconds = None if every is None else _step(every)
     return recording.record(flatten(scene, run, history=tuple(quantities)), every=seconds)
 
 
@@ -54,16 +52,9 @@ def record_runs(scene: Scene, quantities: Sequence[str] = (), *, every: Any = No
     return {run or "": record(scene, quantities, every=every, run=run) for run in scene.run_names or (None,)}
 
 
-def seconds_of(every: Any) -> float:
-    """A time above zero in s, from a text or a quantity with its unit, or a number.  Raises SceneError."""
-    try:
-        quantity = parse_quantity(every)
-    except SceneError as error:
-        raise error.at(path="every", value=every) from None
-    if quantity.dimension != TIME and quantity.unit_text:
-        raise SceneError(
-            f'{quantity.dimension.phrase}; a time such as "10 ms" is wanted', path="every", value=every
-        )
-    if not 0 < quantity.value_si < math.inf:
-        raise SceneError("a time above zero is wanted, and a finite one", path="every", value=every)
-    return float(quantity.value_si)
+def _step(every: Any) -> float:
+    """A time above zero in s.  Raises SceneError."""
+    seconds = seconds_of(every, "every", 'a time such as "10 ms" is wanted')
+    if not seconds > 0:
+        raise SceneError("a time above zero is wanted", path="every", value=every)
+    return seconds

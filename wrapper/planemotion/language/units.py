@@ -162,6 +162,21 @@ def parse_quantity(text: object) -> Quantity:
     raise SceneError(_WANTED, value=text)
 
 
+def seconds_of(written: object, path: str, wanted: str) -> float:
+    """A time in s, from a text with its unit or a quantity of pint; 0 needs no unit.
+
+    Raises SceneError for anything else, with the key `path`, the value and what is `wanted`.
+    """
+    try:
+        quantity = parse_quantity(written)
+    except SceneError as error:
+        reason = wanted if error.reason == _WANTED else f"{error.reason}; {wanted}"
+        raise SceneError(reason, path=path, value=written) from None
+    if quantity.dimension != TIME and quantity.value_si != 0:
+        raise SceneError(f"{quantity.dimension.phrase}; {wanted}", path=path, value=written)
+    return quantity.value_si
+
+
 def is_unit(text: str) -> bool:
     """Whether the text is a unit of mechanics."""
     try:

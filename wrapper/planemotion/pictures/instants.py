@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -13,12 +14,13 @@ from ..compile.histories import HistoryColumns
 from ..engine import call, recording
 from ..engine.history import AFTER, BEFORE
 from ..engine.outcome import History
-from ..language.dimensions import TIME
-from ..language.units import parse_quantity
+from ..language.units import NUMBER, seconds_of
 from ..reading.scene import HasData
 from .known import at_row
 from .scene import Pose, Start, drawing_of, start_of
 
+# How a time begins, and no name.
+_NUMBER = re.compile(rf"\s*[+-]?\s*{NUMBER}")
 # The rows at the ends of a run.
 _ENDS = {"start": 0, "end": -1}
 
@@ -65,19 +67,12 @@ def row_at(flat: FlatScene, at: str) -> tuple[History, int]:
 
 def _seconds(at: str) -> float | None:
     """A time; None where it is a name."""
-    if not at.strip()[:1].isdigit():
+    if not _NUMBER.match(at):
         return None
-    try:
-        quantity = parse_quantity(at)
-    except SceneError as error:
-        raise error.at(path="at", value=at) from None
-    if quantity.dimension != TIME and quantity.value_si != 0:
-        raise SceneError(
-            f'{quantity.dimension.phrase}; a time such as "0.3 s", or an event, is wanted',
-            path="at",
-            value=at,
-        )
-    return float(quantity.value_si)
+    seconds = seconds_of(at, "at", 'a time such as "0.3 s", or an event, is wanted')
+    if seconds < 0:
+        raise SceneError("a run begins at 0 s", path="at", value=at)
+    return seconds
 
 
 def _at_time(flat: FlatScene, at: str, seconds: float) -> tuple[History, int]:
@@ -99,10 +94,10 @@ def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
     first, _, rest = at.strip().partition(" ")
     side, named = (BEFORE, rest) if is_before(at) else (AFTER, at)
     name, _, number = named.strip().partition(" ")
-    rows = [row for row in np.flatnonzero(recorded.mark == side) if name in recorded.events[row].split(", ")]
-    nth = int(number) if number.strip().isdigit() else 1
+    rows = [row for row in np.flatnonzero(recorded.mark == side) if name in _happened(recorded, row)]
+    nth = int(number) if number.strip().isdigit() else 0 if number else 1
     if not 1 <= nth <= len(rows):
-        happened = sorted({one for event in recorded.events for one in event.split(", ") if one})
+        happened = sorted({name for row in range(len(recorded.events)) for name in _happened(recorded, row)})
         known = ", ".join([*happened, *_ENDS])
         none = f"nothing of that name happens in the run; there is {known}"
         often = f"the run has {len(rows)} of these" if rows else none
@@ -110,6 +105,11 @@ def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
             often = just_after(rest)
         raise SceneError(often, path="at", value=at)
     return recorded, int(rows[nth - 1])
+
+
+def _happened(recorded: History, row: int) -> list[str]:
+    """Names of what happened there."""
+    return [name for name in recorded.events[row].split(", ") if name]
 
 
 def is_before(at: str) -> bool:
