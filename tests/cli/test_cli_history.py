@@ -59,7 +59,7 @@ def test_a_table_of_runs_names_them(folder: Path) -> None:
         (("--history", "h.csv", "--every", "1 kg"), 'such as "10 ms"'),
         (
             ("--history", "h.csv", "--every", "0.1"),
-            'every = "0.1": a plain number; a time such as "10 ms" is wanted',
+            'a.toml: every = "0.1": a plain number; a time such as "10 ms" is wanted',
         ),
         (("--history", "h.csv", "--quantity", "b.z"), 'no point or quantity "z"'),
     ],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from .base.errors import SceneError
+from .base.errors import SceneError, StudyError
 from .compile.flatten import flatten
 from .engine import recording
 from .engine.history import dataset
@@ -39,10 +39,13 @@ def record(
 
     `quantities`: expressions; none: positions, velocities and energies, and the reactions that asks read.
     `every`: a time such as "10 ms"; None: as many instants as straight lines need.  Raises SceneError for
-    what the scene does not have, SimulationError if nothing can be recorded, StudyError if it would be too much.
+    what the scene does not have, SimulationError if nothing can be recorded, StudyError if it is too much.
     """
-    seconds = None if every is None else _step(every)
-    return recording.record(flatten(scene, run, history=tuple(quantities)), every=seconds)
+    try:
+        seconds = None if every is None else _step(every)
+        return recording.record(flatten(scene, run, history=tuple(quantities)), every=seconds)
+    except (SceneError, StudyError) as error:
+        raise error.at(file=scene.file) from None
 
 
 def record_runs(scene: Scene, quantities: Sequence[str] = (), *, every: Any = None) -> dict[str, History]:

@@ -286,6 +286,10 @@ class SimulationError(PlanemotionError, RuntimeError):
 class StudyError(PlanemotionError):
     """A sweep cannot be planned, stored, resumed or exported; stored parts that were good are still good."""
 
+    def at(self, *, file: str | os.PathLike[str] | None) -> StudyError:
+        """The same error behind the file, where there is one."""
+        return self if file is None else StudyError(f"{os.fspath(file)}: {self}")
+
 
 def nearest(word: str, candidates: Iterable[str]) -> str | None:
     """The candidate that `word` was probably meant to be, or None if none is near."""
