@@ -94,7 +94,7 @@ def _at_event(flat: FlatScene, at: str) -> tuple[History, int]:
     first, _, rest = at.strip().partition(" ")
     side, named = (BEFORE, rest) if is_before(at) else (AFTER, at)
     name, _, number = named.strip().partition(" ")
-    rows = [row for row in np.flatnonzero(recorded.mark == side) if name in _happened(recorded, row)]
+    rows = [row for row in np.flatnonzero(recorded.mark == side) if name in _happened(recorded, int(row))]
     nth = int(number) if number.strip().isdigit() else 0 if number else 1
     if not 1 <= nth <= len(rows):
         happened = sorted({name for row in range(len(recorded.events)) for name in _happened(recorded, row)})
