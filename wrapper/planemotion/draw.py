@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from .base.errors import SceneError
+from .base.errors import SceneError, StudyError
 from .base.themes import require_theme
 from .base.words import listed
 from .pen import page
@@ -15,6 +15,7 @@ from .pictures.instants import instant_of
 from .pictures.measured import shown_with
 from .pictures.picture import Picture
 from .pictures.scene import figure, start_of
+from .reading.plain import plain_text
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 def draw(
     scene: Scene,
-    at: str | None = None,
+    at: Any = None,
     as_: str | None = None,
     bodies: str | Sequence[str] = (),
     run: str | None = None,
@@ -45,12 +46,13 @@ def draw(
     require_theme(theme)
     with page.style(theme):
         try:
+            when = None if at is None else plain_text(at, "at")
             if as_ is not None:
-                made = diagrams.figure(scene, as_, at, run, chosen)
+                made = diagrams.figure(scene, as_, when, run, chosen)
                 fault = ""
             else:
-                start = start_of(scene, run) if at is None else instant_of(scene, at, run)
+                start = start_of(scene, run) if when is None else instant_of(scene, when, run)
                 made, fault = figure(start, more), start.fault
-        except SceneError as error:
+        except (SceneError, StudyError) as error:
             raise error.at(file=scene.file) from None
         return Picture(on_paper(made, theme), fault, theme)

@@ -17,7 +17,6 @@ from .engine import call
 from .engine.outcome import CaseResults
 from .engine.result import RunResult, collect
 from .geometry.parameters import like_declared
-from .reading.plain import plain
 from .report.waited import ENDLESS, waited_for
 
 if TYPE_CHECKING:
@@ -95,7 +94,7 @@ def run(scene: Scene) -> RunResult:
 
 
 def run_near(scene: Scene, values: Mapping[str, Any]) -> RunResult | None:
-    """The result for other sizes of some parameters by the tables that are there.
+    """The result for other sizes of some parameters, as TOML has them, by the tables that are there.
 
     None where that may not be all that changes, or if it is not ok: the scene with these values tells more.
     """
@@ -120,7 +119,7 @@ def _near(flat: FlatScene, data: SceneData, values: Mapping[str, Any]) -> Floats
     for name, value in values.items():
         if name not in flat.parameters or name in flat.decided or name in sought:
             return None
-        size = like_declared(data.parameters[name], plain(value)) if name in data.parameters else None
+        size = like_declared(data.parameters[name], value) if name in data.parameters else None
         if size is None:
             return None
         if name not in own:

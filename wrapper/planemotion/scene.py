@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from .language.units import declared_unit
 from .model.tables import DEFAULT_G
-from .reading.plain import plain, plain_text
+from .reading.plain import plain
 from .reading.written import SceneTable
 from .sweep.cache import Kept
 
@@ -121,8 +121,10 @@ class Scene(SceneTable):
         """
         from .run import run, run_near
 
-        near = run_near(self, parameters) if parameters else None
-        return near or run(self.with_values(parameters) if parameters else self)
+        if not parameters:
+            return run(self)
+        values = self._plain(parameters)
+        return run_near(self, values) or run(self.with_values(values))
 
     def history(
         self,
@@ -213,8 +215,7 @@ class Scene(SceneTable):
         """
         from .draw import draw
 
-        when = at if at is None else plain_text(at)
-        return draw(self.with_values(parameters), when, as_, bodies, of_run, theme, show)
+        return draw(self.with_values(parameters), at, as_, bodies, of_run, theme, show)
 
     def check(self, **parameters: Any) -> Told:
         """The assembled start, as `planemotion check` tells it: `text`, and `faults`, a message for each.
@@ -290,7 +291,7 @@ class Scene(SceneTable):
         from .sweep.run import run_sweep
 
         chosen = {**(grids or {}), **more_grids}
-        raw = {**self._raw, "sweep": plain(chosen)}
+        raw = {**self._raw, "sweep": plain(chosen, "sweep")}
         scene = type(self).from_table(raw, file=self.file) if chosen else self
         return run_sweep(
             scene,
@@ -373,8 +374,8 @@ class Scene(SceneTable):
         """
         from .mapping import outcome_map
 
-        sweep = {**({} if grids else self._raw.get("sweep", {})), **plain(grids)}
-        said = {"of": None if of is None else plain(of), "tolerance": tolerance}
+        sweep = {**({} if grids else self._raw.get("sweep", {})), **plain(grids, "sweep")}
+        said = {"of": None if of is None else plain(of, "sweep.refine.of"), "tolerance": tolerance}
         given = {key: value for key, value in said.items() if value is not None}
         refine = {**self._raw.get("sweep", {}).get("refine", {}), **given}
         scene = type(self).from_table({**self._raw, "sweep": {**sweep, "refine": refine}}, file=self.file)

@@ -109,12 +109,13 @@ def check_table(table: object, path: str = "") -> None:
                 _check_key(key, place)
             if _is_common(value):
                 continue
-            _check_plain(value, partial(_place_of, place, key))
+            _check_plain(value, partial(place_of, place, key))
             if isinstance(value, _CONTAINERS):
-                waiting.append((_place_of(place, key), level + 1, value))
+                waiting.append((place_of(place, key), level + 1, value))
 
 
-def _place_of(path: str, key: object) -> str:
+def place_of(path: str, key: object) -> str:
+    """The path of a key of a table, or of an index of a list."""
     if isinstance(key, int):
         return f"{path}[{key}]"
     return f"{path}.{key}" if path else str(key)

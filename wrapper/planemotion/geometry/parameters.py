@@ -135,7 +135,9 @@ def override(declared: Mapping[str, Value], name: str, value: Value, tables: Boo
     parameters = Parameters(declared, tables=tables)
     wanted = parameters.dimensions[name]
     text = value.strip() if isinstance(value, str) else value
-    if _is_bare(text):
+    if _is_bare(text) and text not in declared:
+        if not math.isfinite(float(str(text))):
+            raise SceneError("the number must be finite", path=path, value=value)
         unit = _literal_unit(declared[name])
         if unit:
             return f"{text if isinstance(text, str) else repr(text)} {unit}"

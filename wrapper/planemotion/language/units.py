@@ -155,11 +155,19 @@ def parse_quantity(text: object) -> Quantity:
     if isinstance(text, bool):
         raise SceneError(_WANTED, value=text)
     if isinstance(text, Real):
-        value = float(text)
+        value = number(text)
         return _finite(Quantity(value, DIMENSIONLESS, "", value), text)
     if hasattr(text, "to_base_units") and hasattr(text, "dimensionality"):
         return _finite(_from_pint(text), text)
     raise SceneError(_WANTED, value=text)
+
+
+def number(real: Real) -> float:
+    """The nearest double; infinite beyond all of them."""
+    try:
+        return float(real)
+    except OverflowError:
+        return math.inf
 
 
 def seconds_of(written: object, path: str, wanted: str) -> float:

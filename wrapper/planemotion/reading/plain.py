@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from functools import reduce
+from numbers import Integral, Number, Real
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..base.bounded import check_table
+from ..base.bounded import check_table, place_of
 from ..base.errors import SceneError
 from ..base.toml import parse_toml
-from ..language.units import parse_quantity
+from ..language.units import number, parse_quantity
+
+# A key path, told only where something is wrong: a text, or the place above with a key or an index in it.
+_Place: TypeAlias = "str | tuple[_Place, object]"
 
 
 def literal(value: Any) -> Any:
@@ -24,38 +29,72 @@ def literal(value: Any) -> Any:
     return read["value"] if set(read) == {"value"} else value
 
 
-def plain(value: Any) -> Any:
+def plain(value: Any, path: str = "") -> Any:
     """A value as TOML has it: quantities of pint become texts, arrays lists, numbers of numpy plain
-    ones, tables of pandas lists by column."""
-    check_table(value)
-    return _plain_value(value)
+    ones, tables of pandas lists by column.  Raises SceneError, with the key path, for what TOML has not."""
+    check_table(value, path)
+    return _plain_value(value, path)
 
 
-def plain_text(value: Any) -> str:
+def plain_text(value: Any, path: str) -> str:
     """A text, or a quantity or number as one.  Raises SceneError for what is none."""
-    found = plain(value)
+    found = plain(value, path)
     if isinstance(found, str | int | float):
         return str(found)
-    raise SceneError(f"a quantity or a name is wanted, not a {type(value).__name__}")
+    raise SceneError("a quantity or a name is wanted", path=path, value=value)
 
 
-def _plain_value(value: Any) -> Any:
+def _plain_value(value: Any, place: _Place) -> Any:
     if isinstance(value, str | bool | int | float):
         return value if type(value) in (str, bool, int, float) else _builtin(value)
     if isinstance(value, Mapping):
-        return {str(key): _plain_value(one) for key, one in value.items()}
+        return {str(key): _plain_value(one, (place, key)) for key, one in value.items()}
     if isinstance(value, list | tuple | range):
-        return [_plain_value(one) for one in value]
+        return [_plain_value(one, (place, index)) for index, one in enumerate(value)]
     if hasattr(value, "columns") and hasattr(value, "to_dict"):  # a table of pandas
-        return _plain_value(value.to_dict("list"))
+        return _plain_value(value.to_dict("list"), place)
     if hasattr(value, "dimensionality"):
-        if np.ndim(value.magnitude):
-            return [_plain_value(one) for one in value]
-        quantity = parse_quantity(value)
-        return f"{quantity.value!r} {quantity.unit_text}".strip()
+        return _plain_quantity(value, place)
+    if isinstance(value, Number):
+        return _plain_number(value, place)
     if hasattr(value, "tolist"):
-        return _plain_value(value.tolist())
-    raise SceneError(f"a scene has no values of type {type(value).__name__}")
+        return _plain_value(value.tolist(), place)
+    raise _refused(value, place)
+
+
+def _plain_quantity(value: Any, place: _Place) -> Any:
+    if np.ndim(value.magnitude):
+        return [_plain_value(one, (place, index)) for index, one in enumerate(value)]
+    try:
+        quantity = parse_quantity(value)
+    except SceneError as error:
+        raise error.at(path=_path_of(place)) from None
+    return f"{quantity.value!r} {quantity.unit_text}".strip()
+
+
+def _plain_number(value: Number, place: _Place) -> int | float:
+    if isinstance(value, Integral):
+        return int(value)
+    if isinstance(value, Real):
+        return number(value)
+    raise _refused(value, place)
+
+
+def _refused(value: Any, place: _Place) -> SceneError:
+    path = _path_of(place)
+    if value is None:
+        return SceneError("None is no value; leave it out for what is taken without it", path=path)
+    kind = type(value).__name__
+    return SceneError(f"a scene has no values of type {kind}", path=path, value=value)
+
+
+def _path_of(place: _Place) -> str | None:
+    """The key path; None at the top."""
+    keys = []
+    while isinstance(place, tuple):
+        place, key = place
+        keys.append(key)
+    return reduce(place_of, reversed(keys), place) or None
 
 
 def _builtin(value: str | int | float) -> str | int | float:

@@ -42,7 +42,9 @@ class SceneTable:
         until: Any = None,
     ) -> None:
         given = {"id": id or None, "title": title, "description": description, "plane": plane, "until": until}
-        self._raw: dict[str, Any] = {key: plain(value) for key, value in given.items() if value is not None}
+        self._raw: dict[str, Any] = {
+            key: plain(value, key) for key, value in given.items() if value is not None
+        }
         self.file: str | None = None
         self._text: str | None = None
         self._data: SceneData | None = None
@@ -75,7 +77,7 @@ class SceneTable:
         """`points`, `lines`, `circles`, `curves` and `rows` of the ground, each a dict by name."""
         for group, named in marks.items():
             spelled = {name: _spelled(one) for name, one in named.items()}
-            self._raw.setdefault("ground", {}).setdefault(group, {}).update(plain(spelled))
+            self._raw.setdefault("ground", {}).setdefault(group, {}).update(plain(spelled, f"ground.{group}"))
         return self._changed()
 
     def body(self, name: str, **keys: Any) -> Self:
@@ -120,7 +122,7 @@ class SceneTable:
 
     def until(self, instant: Any) -> Self:
         """What ends the run."""
-        self._raw["until"] = plain(instant)
+        self._raw["until"] = plain(instant, "until")
         return self._changed()
 
     def ask(self, name: str, of: Any = None, **keys: Any) -> Self:
@@ -180,13 +182,20 @@ class SceneTable:
         """
         scene = self.from_table(self._raw, file=self.file, text=self._text)
         scene._hints = self._hints
-        for name, value in values.items():
+        for name, value in self._plain(values).items():
             try:
-                set_value(scene._raw, name, plain(value), lambda: scene.data)
+                set_value(scene._raw, name, value, lambda: scene.data)
             except SceneError as error:
                 raise error.at(file=self.file) from None
             scene._changed()
         return scene
+
+    def _plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Values by name, as TOML has them.  Raises SceneError, with the name and the file."""
+        try:
+            return {name: plain(value, name) for name, value in values.items()}
+        except SceneError as error:
+            raise error.at(file=self.file) from None
 
     # ---- as it is shown ----
 
@@ -202,7 +211,8 @@ class SceneTable:
     # ---- changing ----
 
     def _update(self, table: str, values: Mapping[str, Any]) -> Self:
-        self._raw.setdefault(table, {}).update(plain({name: _spelled(one) for name, one in values.items()}))
+        spelled = {name: _spelled(one) for name, one in values.items()}
+        self._raw.setdefault(table, {}).update(plain(spelled, table))
         return self._changed()
 
     def _changed(self) -> Self:
