@@ -238,7 +238,8 @@ enum pm_decision {
     PM_DECISION_MEETS = 11,
     PM_DECISION_PARTS = 12,
     PM_DECISION_SHARES = 13,
-    PM_DECISION_ENDS = 14 /* whether the run can go on there: the pass that it is compared with could not */
+    PM_DECISION_ENDS = 14,  /* whether the run can go on there: the pass that it is compared with could not */
+    PM_DECISION_UNSEEN = 15 /* whether it is reached: not every place of a step could be looked at */
 };
 enum pm_count_column {
     PM_COUNT_PHASES = 0,

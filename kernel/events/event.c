@@ -264,6 +264,21 @@ int pm_event_changes_sign(const pm_event_function *f)
     return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
 }
 
+int pm_event_owner(const pm_model *m, const pm_event_function *f, int32_t *row)
+{
+    switch (f->kind) {
+    case FUNCTION_TRIGGER: return *row = PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT], PM_TABLE_EVENT;
+    case FUNCTION_JOINT_STICK:
+    case FUNCTION_JOINT_SLIP: return *row = m->friction_force[f->index], PM_TABLE_FORCE;
+    case FUNCTION_FLANK:
+    case FUNCTION_TRACK: return *row = f->index, PM_TABLE_JOINT;
+    case FUNCTION_GAP:
+    case FUNCTION_MEETING: return *row = f->index, PM_TABLE_CONTACT;
+    case FUNCTION_STRAND: return *row = pm_contact_of_slot(m, f->index / 2), PM_TABLE_CONTACT;
+    default: return *row = pm_contact_of_slot(m, f->index), PM_TABLE_CONTACT;
+    }
+}
+
 double pm_event_of_sample(const pm_event_function *f, double sample)
 {
     return f->every ? (sample - f->low) * (f->high - sample) : sample;

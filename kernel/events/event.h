@@ -38,7 +38,7 @@ typedef struct pm_span {
 
 typedef struct pm_event_function {
     int kind;       /* enum pm_function_kind */
-    int index;      /* trigger, contact or slot */
+    int index;      /* trigger, contact, slot, joint; of a strand: slot and side */
     int direction;  /* 0: either way, 1: rising, -1: falling */
     int level;      /* enum pm_level it needs */
     int owned;      /* the route itself finds its roots: not sampled */
@@ -197,6 +197,8 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f);
 double pm_event_of_sample(const pm_event_function *f, double sample);
 /* The function may have either sign in a phase, as that of a contact has not. */
 int pm_event_changes_sign(const pm_event_function *f);
+/* The table and the row of what it belongs to: an event, a contact, a joint, or the force of a joint's friction. */
+int pm_event_owner(const pm_model *m, const pm_event_function *f, int32_t *row);
 /* What a located function means for its contact (function.index is then a slot): PM_TRIGGER_OPEN, SLIP, STICK, or
  * PM_NONE. */
 int pm_event_contact_change(const pm_event_set *event, int function);

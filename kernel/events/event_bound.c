@@ -112,9 +112,9 @@ static int bracket(pm_workspace *w, pm_event_function *f, const double s[2], pm_
 /* Its bounds have come to their end before they told whether it goes through zero. */
 static void note_unseen(pm_workspace *w, const pm_event_function *f, double t)
 {
-    const int is_trigger = f->kind == FUNCTION_TRIGGER;
-    pm_evidence_unseen(&w->evidence, is_trigger ? PM_TABLE_EVENT : PM_TABLE_CONTACT,
-                       is_trigger ? PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_EVENT] : f->index, t);
+    int32_t row;
+    const int table = pm_event_owner(w->model, f, &row);
+    pm_evidence_unseen(&w->evidence, table, row, t);
 }
 
 /* The places s[0] and s[1] of the step between which f first goes through zero in a way that counts (NaN: the begin of x); 0: there

@@ -25,26 +25,9 @@ static int trigger_of(const pm_event_function *f)
 /* Whose function it is; of triggers the log itself knows that. */
 static pm_evidence_decision of_function(const pm_model *m, const pm_event_function *f)
 {
-    pm_evidence_decision x = {.trigger = trigger_of(f), .table = PM_TABLE_CONTACT};
-    switch (f->kind) {
-    case FUNCTION_TRIGGER:
-        x.table = PM_TABLE_EVENT;
-        x.row = PM_TRIGGER_ROW(m, f->index)[PM_TRIGGER_EVENT];
-        return x;
-    case FUNCTION_JOINT_STICK:
-    case FUNCTION_JOINT_SLIP:
-        x.table = PM_TABLE_FORCE;
-        x.row = m->friction_force[f->index];
-        return x;
-    case FUNCTION_FLANK:
-    case FUNCTION_TRACK:
-        x.table = PM_TABLE_JOINT;
-        x.row = f->index;
-        return x;
-    case FUNCTION_GAP:
-    case FUNCTION_MEETING: x.row = f->index; return x;
-    default: x.row = pm_contact_of_slot(m, f->index); return x;
-    }
+    pm_evidence_decision x = {.trigger = trigger_of(f)};
+    x.table = pm_event_owner(m, f, &x.row);
+    return x;
 }
 
 static int is_at_knot(const pm_workspace *w, const pm_event_function *f)

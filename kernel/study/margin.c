@@ -149,7 +149,7 @@ double pm_margin_judge(pm_accuracy *e, double share)
 
 static pm_where where_unseen(const pm_unseen *x)
 {
-    return (pm_where){x->table, x->row, PM_DECISION_HAPPENS, 0, 1};
+    return (pm_where){x->table, x->row, PM_DECISION_UNSEEN, 0, 1};
 }
 
 int pm_margin_unseen(pm_workspace *w)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import re
 from xml.etree import ElementTree
 
 import pytest
@@ -139,6 +140,33 @@ def test_what_the_errors_might_change_is_undecided() -> None:
     )
     assert math.isfinite(number(result.v))  # the numbers stand
     assert scene.run(more=1e-9).ok
+
+
+# sin 2u - 2 sin u cos u, and next to nothing: all that is watched is rounding.
+LEVEL = """
+until = "w.turned = 6"
+bodies.w = { disk = "0.3 m", mass = "2 kg", at = [0, 0] }
+joints.O = { pin = ["w.center", "ground"] }
+start.w.omega = "1 rad/s"
+events.low = "sin(2*w.turned) - 2*sin(w.turned)*cos(w.turned) + 1e-13*(w.turned - 1.5)^2 + 2e-15 < 0"
+ask.n = "low.count"
+"""
+
+
+@pytest.mark.parametrize("estimate", [True, False])
+def test_an_event_that_was_not_seen_is_told_with_what_to_do(estimate: bool) -> None:
+    result = load_text(LEVEL + f"solve.estimate = {str(estimate).lower()}", file="level.toml").run()
+    assert result.status == "undecided"
+    assert result.stopped_at is not None
+    assert result.error.startswith(
+        "level.toml:6:1: events.low: it is not told whether it fires at about t = "
+    )
+    told = re.search(r"at about t = ([\d.]+) s: ", result.error)
+    assert told is not None
+    assert float(told[1]) < 6
+    for advice in ("solve.accuracy", "a simpler expression", "another solve.route"):
+        assert advice in result.error
+    assert "margin" not in result.error
 
 
 def test_estimates_can_be_switched_off() -> None:

@@ -94,7 +94,7 @@ static void bounds_that_tell_nothing(int estimate)
     EQUAL(scene_run(s, &nothing), PM_UNDECIDED);
     EQUAL(s->where[0], PM_TABLE_EVENT);
     EQUAL(s->where[1], event);
-    EQUAL(s->where[2], PM_DECISION_HAPPENS);
+    EQUAL(s->where[2], PM_DECISION_UNSEEN);
     CHECK(s->detail[PM_DETAIL_TIME] >= 0 && s->detail[PM_DETAIL_TIME] < END);
     scene_free(s);
 }

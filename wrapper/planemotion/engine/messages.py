@@ -15,26 +15,9 @@ from ..compile.flatten import FlatScene
 from .find_messages import FIND_STATUSES, describe_find
 from .kernel import kernel, kernel_text, route_name, status_text
 from .outcome import CaseResults
+from .undecided import undecided
 
 _SETTINGS = {layout.PM_SETTING_NUDGE: "start.nudge", layout.PM_SETTING_ROUTE: "solve.route"}
-# What is decided at a place, by enum pm_decision.
-_DECISIONS = {
-    layout.PM_DECISION_OUTCOME: "a decision on the way (what fires first, what touches, what holds)",
-    layout.PM_DECISION_HAPPENS: "whether it comes to it",
-    layout.PM_DECISION_REVERSES: "whether its threshold is passed or the motion turns back there",
-    layout.PM_DECISION_ORDER: "whether a blow comes before a time of the scene or after it",
-    layout.PM_DECISION_STRIKES: "whether it strikes",
-    layout.PM_DECISION_PULLS_IN_BLOW: "whether it takes part in a blow",
-    layout.PM_DECISION_SLIDES_IN_BLOW: "whether it slides in a blow",
-    layout.PM_DECISION_JOINS: "whether it joins a blow",
-    layout.PM_DECISION_PULLS: "whether it stays closed",
-    layout.PM_DECISION_SLIDES: "whether it slides",
-    layout.PM_DECISION_SLIP_LEFT: "whether slip is left after a blow",
-    layout.PM_DECISION_MEETS: "whether the two points meet",
-    layout.PM_DECISION_PARTS: "whether the two part",
-    layout.PM_DECISION_SHARES: "whether it and those that share its load hold",
-    layout.PM_DECISION_ENDS: "whether the run can go on there",
-}
 _NEVER = "until: never reached; the motion repeats itself, and nothing ends it"
 # Joints of which a place, an angle or a length is prescribed.
 _PRESCRIBED = frozenset(
@@ -74,7 +57,7 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     found, bound, time = (float(number) for number in detail)
     text = _DESCRIPTIONS.get(status)
     if status == layout.PM_UNDECIDED:
-        sentence = _undecided(place, int(where[layout.PM_WHERE_MEMBER]), found)
+        return located(undecided(place, where, detail), flat.file, flat.source)
     elif status == layout.PM_ASSEMBLY and _is_driven(flat, where) and not place.startswith("events."):
         sentence = _open_drive(place, found, bound)
     elif status == layout.PM_DRIVE_JUMPS:
@@ -102,15 +85,6 @@ def describe(flat: FlatScene, status: int, where: Ints, detail: Floats, param: F
     if math.isfinite(time) and time > 0 and status != layout.PM_LIMIT_TIME:
         sentence += f", at t = {time:.6g} s"
     return located(sentence, flat.file, flat.source)
-
-
-def _undecided(place: str, decision: int, margin: float) -> str:
-    what = _DECISIONS.get(decision, _DECISIONS[layout.PM_DECISION_OUTCOME])
-    here = f"{place}: " if place else ""
-    return (
-        f"{here}{what} lies within the errors of the run (margin {margin:.2g}, at least 1 is wanted); "
-        "the answers are those of one of the outcomes"
-    )
 
 
 def _named(flat: FlatScene, where: Ints) -> tuple[str, str]:
