@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from .base.errors import SceneError, StudyError
 from .base.themes import require_theme
-from .base.words import listed
 from .pen import page
 from .pen.theme import on_paper
 from .pictures import diagrams
@@ -37,9 +36,8 @@ def draw(
     the reaction at a body whose mass was left out.
     """
     chosen = (bodies,) if isinstance(bodies, str) else tuple(bodies)
-    words = listed(show)
-    more = shown_with(words)
-    if as_ is not None and words:
+    more = shown_with(show)
+    if as_ is not None and more:
         raise SceneError("a diagram has its own values: give show or as_, not both", path="show")
     if as_ is None and chosen:
         raise SceneError('bodies are chosen of a figure: give as_ too, such as "free-body"', path="bodies")

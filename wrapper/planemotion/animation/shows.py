@@ -6,10 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from ..base.errors import StudyError
 from ..base.themes import require_theme
 from ..base.words import listed
-from ..model.words import unknown
+from ..model.words import shown_words
 
 WORDS = ("energies", "velocities", "forces", "slow")
 USUAL = ("energies",)
@@ -36,10 +35,7 @@ def shows_of(show: str | Iterable[str], trace: str | Iterable[str], theme: str |
     """Words and points as lists, or as one text with commas.
 
     Raises StudyError for a word or a theme that there is not."""
-    words, traces = listed(show), listed(trace)
-    for word in words:
-        if word not in WORDS:
-            raise StudyError(f'show = "{word}": {unknown(word, WORDS, "word")}')
+    words = shown_words(show, WORDS)
     if theme is not None:
         require_theme(theme)
-    return Shows(words, traces, theme)
+    return Shows(words, listed(trace), theme)

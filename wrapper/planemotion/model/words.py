@@ -6,10 +6,11 @@ Kinds of joints, couplings and forces say their own words (kinds/).
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
-from ..base.errors import SceneError, nearest
+from ..base.errors import SceneError, StudyError, nearest
+from ..base.words import listed
 from ..language.address import DOTTED, KEYWORDS
 
 GROUND = "ground"  # what does not move, as an owner of marks
@@ -97,6 +98,17 @@ def is_option(path: str) -> bool:
 def not_built(what: str, path: str | None = None, value: object = None) -> SceneError:
     """The error for a word that the language has and this version does not do."""
     return SceneError(f"not built yet: {what}", path=path, value=value)
+
+
+def shown_words(show: str | Iterable[str], known: Collection[str]) -> tuple[str, ...]:
+    """The words of an option `show`, as a list or as one text with commas.
+
+    Raises StudyError for one that is not known."""
+    words = listed(show)
+    for word in words:
+        if word not in known:
+            raise StudyError(f'show = "{word}": {unknown(word, known, "word")}')
+    return words
 
 
 def unknown(word: str, known: Collection[str], what: str) -> str:

@@ -7,16 +7,15 @@ angles of rods from the horizontal; velocities those of mass centres and of rota
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from matplotlib.patches import Arc
 
-from ..base.errors import StudyError
 from ..language.units import factor
-from ..model.words import unknown
+from ..model.words import shown_words
 from ..pen.page import SOFT, VELOCITY
 from ..pen.sketch import Sketch
 from ..pen.symbols import Place
@@ -32,11 +31,9 @@ _ARROW = 0.5  # inches of the greatest velocity: less than the room around all t
 _LEVEL = 1e-6  # rad: a rod is level or upright
 
 
-def shown_with(words: Sequence[str]) -> list[Callable[[Start, Sketch], None]]:
+def shown_with(show: str | Iterable[str]) -> list[Callable[[Start, Sketch], None]]:
     """What draws these words.  Raises StudyError for one that there is not."""
-    for word in words:
-        if word not in SHOWN:
-            raise StudyError(f'show = "{word}": {unknown(word, SHOWN, "word")}')
+    words = shown_words(show, SHOWN)
     return [draw for word, draw in SHOWN.items() if word in words]
 
 
