@@ -19,14 +19,20 @@ static int32_t way_of_joint(const pm_frame *frame, int k)
     return pm_contact_modes_way_of(frame, &slip);
 }
 
+/* Friction k slips the way `mode`: in which way it accelerates then; PM_NONE where nothing tells the accelerations. */
+static int32_t way_of_slip(pm_workspace *w, int k, int32_t mode)
+{
+    w->state.friction[k] = mode;
+    return pm_contact_modes_accelerate(w) ? PM_NONE : way_of_joint(&w->frame, k);
+}
+
 /* Lets friction k slip, where that makes the accelerations known; 1 if it does. */
 static int reverse(pm_workspace *w, int k)
 {
     if (w->state.friction[k] != PM_STICK) return 0;
-    w->state.friction[k] = PM_SLIDE_FORWARD;
-    const int known = !pm_contact_modes_accelerate(w);
-    w->state.friction[k] = known ? way_of_joint(&w->frame, k) : PM_STICK;
-    return known;
+    const int32_t way = way_of_slip(w, k, PM_SLIDE_FORWARD);
+    w->state.friction[k] = way == PM_NONE ? PM_STICK : way;
+    return way != PM_NONE;
 }
 
 int pm_contact_modes_reverse_joint(pm_workspace *w)
@@ -36,18 +42,12 @@ int pm_contact_modes_reverse_joint(pm_workspace *w)
     return 0;
 }
 
-static int goes_its_way(pm_workspace *w, int k, int32_t mode)
-{
-    w->state.friction[k] = mode;
-    return !pm_contact_modes_accelerate(w) && way_of_joint(&w->frame, k) == mode;
-}
-
 /* The way that is told, unless its slip accelerates in the other one alone. */
 static void choose_way(pm_workspace *w, int k)
 {
     const int32_t told = w->state.friction[k];
     const int32_t other = told == PM_SLIDE_FORWARD ? PM_SLIDE_BACKWARD : PM_SLIDE_FORWARD;
-    if (!goes_its_way(w, k, told) && !goes_its_way(w, k, other)) w->state.friction[k] = told;
+    if (way_of_slip(w, k, told) != told && way_of_slip(w, k, other) != other) w->state.friction[k] = told;
 }
 
 int pm_contact_modes_joints_change(pm_workspace *w, double slack)
