@@ -51,7 +51,7 @@ def _number(value: float | None, error: float | None) -> str:
     """The digits that its error leaves: what is smaller than all of these is 0."""
     if value is None:
         return "-"
-    if error:
+    if error and math.isfinite(error):
         last = math.floor(math.log10(error)) - (_OF_ERROR - 1)
         value = round(value, -last) + 0.0  # no -0
     return f"{value:.{_DIGITS}g}"
