@@ -189,11 +189,18 @@ def _piece(peak: Peak, p: Mapping[str, float], a: float, b: float) -> tuple[Arra
     return t, g
 
 
-def _best(peak: Peak, p: Mapping[str, float], t: Array, g: Array, sign: int) -> tuple[float, float]:
-    """Where sign*g is greatest in a piece, and g there: by samples ever denser about the best one."""
-    k = int(np.argmax(sign * g))
+def _tops(peak: Peak, p: Mapping[str, float], t: Array, g: Array, sign: int) -> list[tuple[float, float]]:
+    """Where sign*g is greater than beside it, and g there."""
+    rises = np.diff(sign * g)
+    top = np.append(True, rises > 0) & np.append(rises <= 0, True)
+    return [_top(peak, p, t, g, sign, int(k)) for k in np.flatnonzero(top)]
+
+
+def _top(peak: Peak, p: Mapping[str, float], t: Array, g: Array, sign: int, k: int) -> tuple[float, float]:
+    """By samples ever denser about sample k."""
     place_of_best, best = float(t[k]), float(g[k])
-    low, high = t[max(k - 1, 1)], t[min(k + 1, len(t) - 2)]
+    edge = 1 if peak.name in JUMPS else 0  # its ends are limits
+    low, high = t[max(k - 1, edge)], t[min(k + 1, len(t) - 1 - edge)]
     for _ in range(8):
         s = np.linspace(low, high, 41)
         h = peak.value(p, s)
@@ -212,10 +219,11 @@ def truth_of(peak: Peak, p: Mapping[str, float]) -> tuple[list[float], bool]:
         if b - a < LEAST:
             continue
         t, g = _piece(peak, p, a, b)
-        top, bottom = (_best(peak, p, t, g, sign) for sign in (1, -1))
-        high, low = max(high, top[1]), min(low, bottom[1])
-        edge |= min(abs(one - p["level"]) for one in (top[1], bottom[1], g[0], g[-1])) < NEAR
-        course = sorted([*zip(t.tolist(), g.tolist(), strict=True), top, bottom])
+        tops = _tops(peak, p, t, g, 1) + _tops(peak, p, t, g, -1)
+        values = [value for _, value in tops]
+        high, low = max(high, *values), min(low, *values)
+        edge |= min(abs(one - p["level"]) for one in (*values, g[0], g[-1])) < NEAR
+        course = sorted([*zip(t.tolist(), g.tolist(), strict=True), *tops])
         above += [value > p["level"] for _, value in course]
     return [float(sum(not one and other for one, other in pairwise(above))), high, low], edge
 
