@@ -76,7 +76,7 @@ def test_a_slider_crank_has_the_bits_of_the_engine(tmp_path: Path, step: float) 
     export_fmu(scene, tmp_path / "crank.fmu", outputs)
     for given, values in (({}, {}), ({"omega0": 25.0}, {"omega0": "25 rad/s"})):
         found = simulated(tmp_path / "crank.fmu", step, 20 * step, **given)
-        history = scene.with_values(values).history(*outputs, every=step)
+        history = scene.with_values(values).history(*outputs, every=f"{step} s")
         rows = np.searchsorted(history["t"].values, found["time"] + 1e-9, side="right") - 1
         assert len(found) == 21
         np.testing.assert_allclose(found["time"], history["t"][rows], rtol=1e-12, atol=1e-12)
