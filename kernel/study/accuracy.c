@@ -1,8 +1,8 @@
 /* accuracy.c - estimated errors of the answers, from a second pass of the case, and the promise of accuracy.
  *
- * The coarse run of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the
- * tolerance does not limit them and less care about what counts as touching or still, and with positions and velocities
- * disturbed by some roundings when a phase begins and at each step in time.  Its answers a' differ from the answers a by its
+ * The coarse run of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the tolerance
+ * does not limit them and less care about what counts as touching or still, and with positions, velocities and the times of
+ * forces off by some roundings when a phase begins and at each step in time.  Its answers a' differ from the answers a by its
  * own error: truncation and rounding, amplified as the scene amplifies errors.  The errors of a method go with its tolerance,
  * so that a's own error is expected at |a' - a| / PM_COARSER (judge.c).
  *
