@@ -115,10 +115,22 @@ static int placement_of(const pm_active_set *active, const pm_group *g)
     if (constraints_are(active, g, PM_CONSTRAINT_DISTANCE, PM_CONSTRAINT_CIRCLE_TANGENT, -1) &&
         active->constraint[g->constraint[0]].value > 0)
         return ROLL_CIRCLE;
+    if (constraints_are(active, g, PM_CONSTRAINT_DISTANCE, -1, -1) &&
+        active->constraint[g->constraint[0]].value > 0)
+        return LINK;
     return FREE;
 }
 
 static int rotates(const pm_numbers *numbers, int body) { return numbers->inverse_mass[3 * body + 2] > 0; }
+
+/* Directions of links turn back to where they were over the side to which weights point: nothing rests at the other one. */
+static void set_middle(const double gravity[2], pm_tree_node *x)
+{
+    const double size = hypot(gravity[0], gravity[1]);
+    x->angle = size > 0 ? atan2(gravity[1], gravity[0]) : 0;
+    x->rotation[0] = size > 0 ? gravity[0] / size : 1;
+    x->rotation[1] = size > 0 ? gravity[1] / size : 0;
+}
 
 static void place(pm_workspace *w, int *nplaced, int body, int placement, const pm_group *g, int child_is_a)
 {
@@ -129,7 +141,9 @@ static void place(pm_workspace *w, int *nplaced, int body, int placement, const 
     x->ncoordinate = placement == FREE     ? 2 + x->rotates
                      : placement == WELD   ? 0
                      : placement == SLIDER ? 1
+                     : placement == LINK   ? 1 + x->rotates
                                            : x->rotates;
+    x->shift = placement == LINK ? x->rotates : 0;
     t->n += x->ncoordinate;
     t->placed[body] = ++*nplaced;
     if (placement == FREE) return;
@@ -145,6 +159,7 @@ static void place(pm_workspace *w, int *nplaced, int body, int placement, const 
         x->rotation[0] = cos(x->angle);
         x->rotation[1] = sin(x->angle);
     }
+    if (placement == LINK) set_middle(w->numbers.gravity, x);
     memcpy(x->line, c->axis, sizeof x->line);
     x->radius = c->radius_a;
     x->length = c->value;
@@ -180,12 +195,12 @@ static int is_driven(const pm_active_set *active, const pm_group *g)
 /* Places a body by the group, if just one of its two is placed. */
 static int place_by(pm_workspace *w, const pm_group *g, int *nplaced)
 {
-    if (g->n < 2 || w->tree->used[g->constraint[0]] || is_driven(&w->active, g)) return 0;
+    if (g->n == 0 || w->tree->used[g->constraint[0]] || is_driven(&w->active, g)) return 0;
     const pm_constraint *c = &w->active.constraint[g->constraint[0]];
     const int a = is_placed(w->tree, c->body[0]), b = is_placed(w->tree, c->body[1]);
     if (a == b) return 0;
     const int placement = placement_of(&w->active, g), body = c->body[a ? 1 : 0];
-    if (placement == FREE || (!rotates(&w->numbers, body) && placement != PIN)) return 0;
+    if (placement == FREE || (!rotates(&w->numbers, body) && placement != PIN && placement != LINK)) return 0;
     place(w, nplaced, body, placement, g, !a);
     return 1;
 }
@@ -239,23 +254,32 @@ static void place_fixed(pm_workspace *w, int *nplaced)
 /* It will place nothing any more: it cannot, or both of its bodies are placed. */
 static int is_spent(const pm_active_set *active, const pm_tree *tree, const pm_group *g)
 {
-    if (g->n < 2) return 1;
+    if (g->n == 0) return 1;
     const pm_constraint *c = &active->constraint[g->constraint[0]];
     return is_placed(tree, c->body[0]) && is_placed(tree, c->body[1]);
 }
 
-/* *spent: joints, from the first on, that will place nothing any more. */
-static int place_next(pm_workspace *w, int *nplaced, int *spent)
+/* By a joint that is one constraint (a link), or by one that is several.  *spent: joints, from the first on, that will place
+ * nothing any more. */
+static int place_by_joint(pm_workspace *w, int single, int *nplaced, int *spent)
 {
     for (int i = *spent; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         const pm_group g = joint_group(w->model, &w->active, i);
-        if (place_by(w, &g, nplaced)) return 1;
+        if ((g.n == 1) == single && place_by(w, &g, nplaced)) return 1;
         if (i == *spent && is_spent(&w->active, w->tree, &g)) ++*spent;
     }
+    return 0;
+}
+
+/* What leaves a body fewer coordinates comes first. */
+static int place_next(pm_workspace *w, int *nplaced, int *spent)
+{
+    if (place_by_joint(w, 0, nplaced, spent)) return 1;
     for (int i = 0; i < w->model->nslot; i++) {
         const pm_group g = slot_group(&w->active, i);
-        if (place_by(w, &g, nplaced)) return 1;
+        if (g.n > 1 && place_by(w, &g, nplaced)) return 1;
     }
+    if (place_by_joint(w, 1, nplaced, spent)) return 1;
     for (int i = 0; i < w->model->nbody; i++)
         if (!w->tree->placed[i]) {
             place(w, nplaced, i, FREE, NULL, 0);
@@ -282,7 +306,10 @@ static void number_coordinates(pm_tree *t)
     for (int i = 0; i < t->model->nbody; i++) {
         const pm_tree_node *x = &t->node[i];
         for (int k = 0; k < x->ncoordinate; k++)
-            t->kind[x->first + k] = x->placement == FREE ? k : x->placement == SLIDER ? 0 : 2;
+            t->kind[x->first + k] = x->placement == FREE                 ? k
+                                    : x->placement == SLIDER             ? PM_TREE_LENGTH
+                                    : pm_tree_shifts(x) && k == x->shift ? PM_TREE_DIRECTION
+                                                                         : PM_TREE_ANGLE;
     }
 }
 
@@ -367,4 +394,4 @@ void pm_tree_build(pm_workspace *w)
     if (t->n > 0) t->part.column[t->n - 1] = PM_NONE; /* none is chosen */
 }
 
-int pm_tree_is_angle(const pm_tree *t, int coordinate) { return t->kind[coordinate] == 2; }
+int pm_tree_is_angle(const pm_tree *t, int coordinate) { return t->kind[coordinate] >= PM_TREE_ANGLE; }

@@ -1,7 +1,8 @@
 /* tree.h - explicit coordinates of a phase: bodies placed one after the other, outward from the ground.
  *
  * Many active constraints can be solved body by body: a pin leaves its body an angle, a weld nothing, a slider that keeps
- * the direction a length, rolling an angle.  What closes a loop stays as a loop constraint. */
+ * the direction a length, rolling an angle, a link its own direction and the angle of a body that rotates.  What closes a loop
+ * stays as a loop constraint. */
 #ifndef PM_TREE_H
 #define PM_TREE_H
 
@@ -11,14 +12,16 @@
 
 typedef struct pm_tree_node pm_tree_node;
 
+/* Kinds of coordinates: x or along a line, y, the angle of a body, the direction of a link. */
+enum { PM_TREE_LENGTH = 0, PM_TREE_ANGLE = 2, PM_TREE_DIRECTION = 3 };
 enum { PM_TREE_ARM = 6 }; /* numbers that give the levers of the reactions on a body */
 
 /* What stays the same in the equations of a phase, and the directions and rates of a solve: see tree_augmented.c. */
 typedef struct pm_tree_augmented {
     int on, most;
-    int forced;                   /* there are other forces than weights */
-    int shifts;                   /* some e_k is not zero */
-    int *owner;                   /* [n] the body whose direction it is, or PM_NONE: it rotates nothing */
+    int forced; /* there are other forces than weights */
+    int shifts; /* some e_k is not zero */
+    int *owner; /* [n] the body whose direction, or whose link's, it is, or PM_NONE: it rotates nothing */
     double *same, *cross, *level; /* [n][n] C, S, T of coordinates i >= k that move one body */
     double *lower, *upper;        /* [n][n][2] P, Q */
     double *fixed;                /* [n][2] e_k */
@@ -92,10 +95,10 @@ typedef struct pm_tree {
     int n;                     /* coordinates */
     int nloop;                 /* active constraints that are not solved */
     int *loop;                 /* [nconstraint] their places in w->active.constraint */
-    int *kind;                 /* [nq] of each coordinate: 0, 1 a length (x, y or along a line), 2 an angle */
-    pm_tree_node *node;        /* [nbody] in the order of placing */
-    int *from, *to;  /* [nconstraint] of each loop: the coordinates that L^-1 J^T has, from .. to - 1 */
-    int *first_loop; /* [nconstraint] the first loop constraint that shares some of them */
+    int *kind;          /* [nq] of each coordinate: PM_TREE_LENGTH, or one more for y; ANGLE, DIRECTION */
+    pm_tree_node *node; /* [nbody] in the order of placing */
+    int *from, *to;     /* [nconstraint] of each loop: the coordinates that L^-1 J^T has, from .. to - 1 */
+    int *first_loop;    /* [nconstraint] the first loop constraint that shares some of them */
     int whole; /* accelerations come cheaper from all constraints than from the coordinates (saddle.h) */
     unsigned char *used; /* [nconstraint] */
     int *placed;         /* [nbody] 1 + index of its node */

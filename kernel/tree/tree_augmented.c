@@ -1,6 +1,6 @@
 /* tree_augmented.c - the equations of a tree whose parts rotate about each other, with what stays the same summed up once.
  *
- * Where all directions rotate with single coordinates - pins, welds, rolling and sliding on lines of the ground - a unit
+ * Where all directions rotate with single coordinates - pins, links, welds, rolling and sliding on lines of the ground - a unit
  * rate of coordinate k moves body b with the velocity
  *     b_bk = e_k + k x R_k d_bk,        R_k the rotation by y_k; e_k and the arm d_bk stay the same,
  * so that with D = y_k - y_l, c_b = -sum_k ydot_k^2 R_k d_bk and sums over the bodies that both k and l move
@@ -123,7 +123,7 @@ void pm_tree_sum_up(pm_workspace *w)
         const pm_tree_node *x = &t->node[i];
         read_fixed(x, a->fixed);
         for (int k = x->first; k < x->first + x->ncoordinate; k++) {
-            a->owner[k] = t->kind[k] == 2 ? x->body : PM_NONE;
+            a->owner[k] = pm_tree_is_angle(t, k) ? x->body : PM_NONE;
             a->shifts |= a->fixed[2 * k] != 0 || a->fixed[2 * k + 1] != 0;
         }
     }
@@ -135,11 +135,25 @@ void pm_tree_sum_up(pm_workspace *w)
 }
 
 /* ---- at every solve ---- */
+static void read_link(const pm_frame *frame, const pm_tree_node *x, double *direction, double *square)
+{
+    static const double zero[3] = {0, 0, 0};
+    const double *parent = x->parent == frame->model->nbody ? zero : frame->velocity + 3 * x->parent;
+    const double rate = pm_tree_slide_rate(x, parent, frame->velocity + 3 * x->body);
+    direction[0] = x->rho[0] / x->length;
+    direction[1] = x->rho[1] / x->length;
+    *square = rate * rate;
+}
+
 void pm_tree_augmented_read(const pm_frame *frame, const pm_tree *t)
 {
     const pm_tree_augmented *a = &t->augmented;
     for (int k = 0; k < t->n; k++) {
         const int body = a->owner[k];
+        if (t->kind[k] == PM_TREE_DIRECTION) {
+            read_link(frame, &t->node[t->placed[body] - 1], a->direction + 2 * k, a->square + k);
+            continue;
+        }
         const double *pose = frame->pose + 5 * body, *velocity = frame->velocity + 3 * body;
         a->direction[2 * k] = body == PM_NONE ? 1 : pose[3];
         a->direction[2 * k + 1] = body == PM_NONE ? 0 : pose[4];

@@ -199,10 +199,10 @@ static void read_reactions(pm_frame *frame, const pm_active_set *active, const p
         lambda[x->constraint[1]] = fy;
         if (x->placement == WELD)
             lambda[x->constraint[2]] = sign * (wrench[2] - r_child[0] * wrench[1] + r_child[1] * wrench[0]);
-    } else if (x->placement == ROLL_CIRCLE) {
+    } else if (x->placement == ROLL_CIRCLE || x->placement == LINK) {
         const double inward = active->constraint[x->constraint[0]].sign;
         lambda[x->constraint[0]] = inward * (fx * t[1] - fy * t[0]);
-        lambda[x->constraint[1]] = fx * t[0] + fy * t[1];
+        if (x->placement == ROLL_CIRCLE) lambda[x->constraint[1]] = fx * t[0] + fy * t[1];
     } else {
         const double normal = -fx * t[1] + fy * t[0];
         lambda[x->constraint[0]] = normal;

@@ -2,27 +2,29 @@
  *
  * Velocities of a body c from those of its parent p (tree_place.c sets the vectors at the frame's pose):
  *   v_c = v_p + omega_p by_parent + omega_c by_own + rate by_slide,
- * omega_c the parent's (weld, slider), zero (a particle) or the rate of its own coordinate. */
+ * omega_c the parent's (weld, slider), zero (a particle) or the rate of its own coordinate; `rate` along a slider's line, or
+ * of the direction of a link. */
 #ifndef PM_TREE_NODE_H
 #define PM_TREE_NODE_H
 
-enum pm_placement { FREE, PIN, WELD, SLIDER, ROLL_LINE, ROLL_CIRCLE };
+enum pm_placement { FREE, PIN, WELD, LINK, SLIDER, ROLL_LINE, ROLL_CIRCLE };
 
 struct pm_tree_node {
     int body, parent, placement;
     int child_is_a;
-    int first, ncoordinate;                            /* its own coordinates */
-    int list, nlist;                                   /* those that move it, in tree->moved_by */
-    int rotates;                                       /* its body does */
-    int needed;                                        /* at a solve: tree_augmented.c */
+    int first, ncoordinate; /* its own coordinates: an angle comes first */
+    int shift;              /* number of the one along the line, or of the link's direction */
+    int list, nlist;        /* those that move it, in tree->moved_by */
+    int rotates;            /* its body does */
+    int needed;             /* at a solve: tree_augmented.c */
     int constraint[PM_JOINT_CONSTRAINTS], nconstraint; /* the active constraints that it solves */
     double child[2];                                   /* mark on the body */
     double mark[2];                                    /* mark on the parent */
-    double angle;       /* weld, slider: of the body minus that of the parent */
+    double angle; /* weld, slider: of the body minus that of the parent; link: of the weight, in the scene */
     double rotation[2]; /* its cosine and sine */
     double line[2];     /* direction of the line in b */
     double radius;      /* of a circle on a line */
-    double length;      /* distance of the centres */
+    double length;      /* distance of the centres, or of the marks of a link */
     double roll_own,
         roll_parent; /* rolling: way, or direction, by the angles of the body and of the parent */
     double touch[2]; /* rolling on a point: P_a - p_b in the axes of the circle's body */
@@ -32,7 +34,7 @@ struct pm_tree_node {
         struct {
             double r_child[2]; /* mark from the mass centre */
             double rho[2];     /* P_a - p_b */
-            double t[2];       /* direction of the line; k x (direction of the centres) */
+            double t[2];       /* direction of the line; k x (direction of the centres, or of the link) */
         };
         double arm[PM_TREE_ARM]; /* all that reactions go by */
     };
@@ -43,6 +45,11 @@ struct pm_tree_node {
 static inline int pm_tree_follows(const struct pm_tree_node *x)
 {
     return x->placement == WELD || x->placement == SLIDER;
+}
+
+static inline int pm_tree_shifts(const struct pm_tree_node *x)
+{
+    return x->placement == LINK || x->placement == SLIDER;
 }
 
 /* Velocity of the body at rates own[ncoordinate] of its coordinates, by that of its parent. */
@@ -59,18 +66,18 @@ static inline void pm_tree_move(const struct pm_tree_node *x, const double paren
     to[0] = parent[0] + parent[2] * x->by_parent[0] + omega * x->by_own[0];
     to[1] = parent[1] + parent[2] * x->by_parent[1] + omega * x->by_own[1];
     to[2] = omega;
-    if (x->placement != SLIDER) return;
-    to[0] += own[0] * x->by_slide[0];
-    to[1] += own[0] * x->by_slide[1];
+    if (!pm_tree_shifts(x)) return;
+    to[0] += own[x->shift] * x->by_slide[0];
+    to[1] += own[x->shift] * x->by_slide[1];
 }
 
-/* Rate along a slider's line, from the velocities of its two bodies. */
+/* Rate along a slider's line, or of a link's direction, from the velocities of its two bodies. */
 static inline double pm_tree_slide_rate(const struct pm_tree_node *x, const double *parent, const double *own)
 {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         rate += x->by_slide[k] * (own[k] - parent[k] - parent[2] * x->by_parent[k] - own[2] * x->by_own[k]);
-    return rate;
+    return x->placement == LINK ? rate / (x->length * x->length) : rate;
 }
 
 /* What is quadratic in the velocities in the acceleration of a body from its parent's. */
@@ -81,13 +88,13 @@ static inline void pm_tree_add_quadratic(const struct pm_tree_node *x, const dou
     for (int k = 0; k < 2; k++)
         a[k] += own[2] * own[2] * x->r_child[k] - parent[2] * parent[2] * x->r_mark[k];
     if (x->placement <= WELD) return;
-    const double roll = x->roll_own * own[2] + x->roll_parent * parent[2];
-    if (x->placement == ROLL_CIRCLE) {
-        for (int k = 0; k < 2; k++) a[k] -= sign * roll * roll * x->rho[k];
+    const double s = pm_tree_shifts(x) ? pm_tree_slide_rate(x, parent, own)
+                                       : x->roll_own * own[2] + x->roll_parent * parent[2];
+    if (x->placement == ROLL_CIRCLE || x->placement == LINK) {
+        for (int k = 0; k < 2; k++) a[k] -= sign * s * s * x->rho[k];
         return;
     }
     const double omega = x->child_is_a ? parent[2] : own[2];
-    const double s = x->placement == SLIDER ? pm_tree_slide_rate(x, parent, own) : roll;
     a[0] += sign * (-2 * omega * s * x->t[1] - omega * omega * x->rho[0]);
     a[1] += sign * (2 * omega * s * x->t[0] - omega * omega * x->rho[1]);
 }

@@ -2,10 +2,11 @@
  *
  * Placements of a body c on its parent p, with a, b the first and second partner of the constraints as in constraint_*.c:
  *   pin, weld   the marks coincide
+ *   link        P_a = p_b + L (cos phi, sin phi):   phi is a coordinate, beside the angle of a body that rotates
  *   line        P_a = p_b + s t + R n:   rolling   s = anchor - R (angle_a - angle_b);   slider   s is the coordinate
  *   circles     P_a = p_b + L (cos phi, sin phi),   phi = (anchor + R_a angle_a + R_b angle_b) / L
  * Either partner may be the child.  With rho = P_a - p_b and k x the rotation by a right angle their rates are
- *   line        rhodot = omega_b k x rho + sdot t,     circles   rhodot = phidot k x rho. */
+ *   line        rhodot = omega_b k x rho + sdot t,     circles, link   rhodot = phidot k x rho. */
 #include <math.h>
 #include <string.h>
 
@@ -49,13 +50,16 @@ static void place_angle(const pm_tree_node *x, const double *own, const double *
 
 /* P_a - p_b once both angles are known. */
 static void distance_of_marks(const pm_frame *frame, const pm_tree_node *x, const pm_memory *memory,
-                              double own, const double *from, const double *at, double rho[2])
+                              const double *own, const double *from, const double *at, double rho[2])
 {
-    if (x->placement == SLIDER || x->placement == ROLL_LINE) {
+    if (x->placement == LINK) {
+        rho[0] = x->length * cos(own[x->shift]);
+        rho[1] = x->length * sin(own[x->shift]);
+    } else if (x->placement == SLIDER || x->placement == ROLL_LINE) {
         double t[2];
         rotated(pose_of_b(frame, x), x->line, t);
         const double s = x->placement == SLIDER
-                             ? own
+                             ? own[x->shift]
                              : memory[x->memory].anchor + x->roll_own * at[2] + x->roll_parent * from[2];
         rho[0] = s * t[0] - x->radius * t[1];
         rho[1] = s * t[1] + x->radius * t[0];
@@ -80,9 +84,15 @@ static void couple(const pm_frame *frame, pm_tree_node *x)
     x->by_own[1] = -x->r_child[0];
     if (x->placement <= WELD) return;
     const double sign = x->child_is_a ? 1 : -1;
-    if (x->placement == ROLL_CIRCLE) {
+    if (x->placement == ROLL_CIRCLE || x->placement == LINK) {
         x->t[0] = -x->rho[1] / x->length;
         x->t[1] = x->rho[0] / x->length;
+    }
+    if (x->placement == LINK) {
+        for (int k = 0; k < 2; k++) x->by_slide[k] = sign * x->length * x->t[k];
+        return;
+    }
+    if (x->placement == ROLL_CIRCLE) {
         for (int k = 0; k < 2; k++) {
             x->by_parent[k] += sign * x->length * x->roll_parent * x->t[k];
             x->by_own[k] += sign * x->length * x->roll_own * x->t[k];
@@ -132,7 +142,7 @@ static void place_node(const pm_frame *frame, pm_tree_node *x, const pm_memory *
     place_angle(x, own, from, at);
     rotated(from, x->mark, x->r_mark);
     rotated(at, x->child, x->r_child);
-    if (x->placement > WELD) distance_of_marks(frame, x, memory, own[0], from, at, x->rho);
+    if (x->placement > WELD) distance_of_marks(frame, x, memory, own, from, at, x->rho);
     const double sign = x->child_is_a ? 1 : -1;
     for (int k = 0; k < 2; k++) {
         at[k] = from[k] + x->r_mark[k] - x->r_child[k];
@@ -160,6 +170,13 @@ static void look_at_marks(const pm_frame *frame, pm_tree_node *x)
     couple(frame, x);
 }
 
+/* Within half a turn of x->angle. */
+static double direction_of(const pm_tree_node *x)
+{
+    const double *r = x->rotation, *rho = x->rho;
+    return x->angle + atan2(r[0] * rho[1] - r[1] * rho[0], r[0] * rho[0] + r[1] * rho[1]);
+}
+
 void pm_tree_read(const pm_tree *t, const pm_frame *frame, double *y)
 {
     for (int i = 0; i < t->model->nbody; i++) {
@@ -172,10 +189,11 @@ void pm_tree_read(const pm_tree *t, const pm_frame *frame, double *y)
         }
         look_at_marks(frame, x);
         if (x->placement == SLIDER) {
-            own[0] = x->rho[0] * x->t[0] + x->rho[1] * x->t[1];
-        } else if (x->ncoordinate > 0) {
-            own[0] = at[2];
+            own[x->shift] = x->rho[0] * x->t[0] + x->rho[1] * x->t[1];
+            continue;
         }
+        if (x->placement == LINK) own[x->shift] = direction_of(x);
+        if (x->rotates && x->ncoordinate > 0) own[0] = at[2];
     }
 }
 

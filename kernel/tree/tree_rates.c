@@ -3,7 +3,7 @@
  * By tree_node.h velocities are linear in the rates; what the accelerations have beside the same form is, with r from
  * the mass centres to the marks (of the child r_c, of the parent r_p) and rho = P_a - p_b,
  *   -omega_p^2 r_p + omega_c^2 r_c   and   line      2 omega_b sdot k x t - omega_b^2 rho
- *                                          circles   -phidot^2 rho        (with the sign of P_a - p_b seen from p) */
+ *                                    circles, link   -phidot^2 rho        (with the sign of P_a - p_b seen from p) */
 #include <math.h>
 #include <string.h>
 
@@ -27,6 +27,13 @@ void pm_tree_spread(const pm_tree *t, const double *ydot, double *v)
     }
 }
 
+/* Rates of the coordinates of a body that its parent carries, from the rates of both. */
+static void read_own(const pm_tree_node *x, const double *parent, const double *to, double *own)
+{
+    if (pm_tree_shifts(x)) own[x->shift] = pm_tree_slide_rate(x, parent, to);
+    if (!pm_tree_follows(x) && x->rotates && x->ncoordinate > 0) own[0] = to[2];
+}
+
 void pm_tree_read_rates(const pm_tree *t, const double *v, double *ydot)
 {
     for (int i = 0; i < t->model->nbody; i++) {
@@ -35,10 +42,8 @@ void pm_tree_read_rates(const pm_tree *t, const double *v, double *ydot)
         double *own = ydot + x->first;
         if (x->placement == FREE)
             memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
-        else if (x->placement == SLIDER)
-            own[0] = pm_tree_slide_rate(x, rates_of(t, v, x->parent), to);
-        else if (x->ncoordinate > 0)
-            own[0] = to[2];
+        else
+            read_own(x, rates_of(t, v, x->parent), to, own);
     }
 }
 
@@ -61,14 +66,13 @@ void pm_tree_read_accelerations(const pm_tree *t, const pm_frame *frame, const d
         double *own = yddot + x->first;
         if (x->placement == FREE) {
             memcpy(own, to, (size_t)x->ncoordinate * sizeof *own);
-        } else if (x->placement == SLIDER) {
+        } else {
             double rest[3] = {to[0], to[1], to[2]}, quadratic[3] = {0, 0, 0};
-            pm_tree_add_quadratic(x, frame->velocity + 3 * x->parent, frame->velocity + 3 * x->body,
-                                  quadratic);
+            if (pm_tree_shifts(x))
+                pm_tree_add_quadratic(x, frame->velocity + 3 * x->parent, frame->velocity + 3 * x->body,
+                                      quadratic);
             for (int k = 0; k < 2; k++) rest[k] -= quadratic[k];
-            own[0] = pm_tree_slide_rate(x, rates_of(t, a, x->parent), rest);
-        } else if (x->ncoordinate > 0) {
-            own[0] = to[2];
+            read_own(x, rates_of(t, a, x->parent), rest, own);
         }
     }
 }

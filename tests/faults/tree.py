@@ -74,8 +74,38 @@ FAULTS = [
     Fault(
         "tree: bias of circles",
         "tree/tree_node.h",
-        "a[k] -= sign * roll * roll",
-        "a[k] += sign * roll * roll",
+        "a[k] -= sign * s * s",
+        "a[k] += sign * s * s",
+    ),
+    Fault(
+        "tree: a link's rate by its length",
+        "tree/tree_node.h",
+        "rate / (x->length * x->length)",
+        "rate / x->length",
+    ),
+    Fault(
+        "tree: a link's direction in the sums is its body's",
+        "tree/tree_augmented.c",
+        "if (t->kind[k] == PM_TREE_DIRECTION) {",
+        "if (t->kind[k] < 0) {",
+    ),
+    Fault(
+        "tree: a link pulls the other way",
+        "tree/tree_place.c",
+        "x->by_slide[k] = sign * x->length * x->t[k];",
+        "x->by_slide[k] = -sign * x->length * x->t[k];",
+    ),
+    Fault(
+        "tree: a link's direction from the other side",
+        "tree/tree_place.c",
+        "r[0] * rho[1] - r[1] * rho[0]",
+        "r[1] * rho[0] - r[0] * rho[1]",
+    ),
+    Fault(
+        "path: a link keeps its levers",
+        "routes/path/path_rigid.c",
+        "if (b->holds) set_arm(b, rotation, x, place);",
+        "if (b->holds && b->rotates) set_arm(b, rotation, x, place);",
     ),
     Fault(
         "tree: partitioned, without the quadratic part",

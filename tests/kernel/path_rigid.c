@@ -129,6 +129,30 @@ static void check_group(int kind, int on_post, int springs)
     if (check_count > before) fprintf(stderr, "joint %d, on post %d, springs %d\n", kind, on_post, springs);
 }
 
+/* A particle on a link, on ground or on the post; all else stands still. */
+static void check_bead(int on_post, int turned, int springs)
+{
+    const int before = check_count;
+    scene *s = scene_create();
+    const int post = scene_body(s, 2, 0.1, 0.3, -0.1, 0.2), bead = scene_body(s, 0.5, 0, 0.8, -0.4, 0);
+    const int mark = scene_point(s, bead, 0, 0), fixed = scene_point(s, on_post ? post : PM_GROUND, 0.2, 0.1);
+    for (int i = 0; i < BODIES - 2; i++) rod(s);
+    for (int i = 0; i < BODIES; i++)
+        if (i != bead)
+            scene_joint(s, PM_JOINT_WELD, scene_point(s, i, 0.1, 0), ground(s, 0.4, -0.1 * i), 0.2);
+    scene_joint(s, PM_JOINT_LINK, turned ? fixed : mark, turned ? mark : fixed, 0.6);
+    if (springs) scene_force(s, PM_FORCE_SPRING, mark, ground(s, 1, 2), 30, 0.2);
+    scene_until(s, scene_when(s, PM_TRIGGER_RISE, scene_minus(s, scene_time(s), 1)), 1);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    if (CHECK(begin(s) == PM_OK) && CHECK(pm_route_prepare(s->w, &pm_route_path))) {
+        EQUAL(s->w->path->rigid.n, 1);
+        for (int i = 0; i < 6; i++) compare(s->w, check_random(-2, 2));
+    }
+    scene_free(s);
+    if (check_count > before)
+        fprintf(stderr, "bead on post %d, turned %d, springs %d\n", on_post, turned, springs);
+}
+
 /* Something rolls beside it, on a link: the tree makes the places. */
 static void none(void)
 {
@@ -149,6 +173,7 @@ int main(void)
 {
     for (int kind = 0; kind < KINDS; kind++)
         for (int k = 0; k < 4; k++) check_group(kind, k & 1, k >> 1);
+    for (int k = 0; k < 8; k++) check_bead(k & 1, k >> 1 & 1, k >> 2);
     none();
     return check_failures();
 }

@@ -311,12 +311,15 @@ int main(void)
     look_at(sliders(1), 2, 0);
     look_at(sliders(0), 2, 0);
     look_at(slider_crank(), 2, 1);
-    look_at(four_bar(), 6, 3);
+    look_at(four_bar(), 5, 2);
+    look_at(linked(0), 7, 0);
+    look_at(linked(1), 7, 0);
+    look_at(bobs(), 4, 0);
     look_at(free_bodies(), 8, 0);
     look_at(loop_of_three(0), 3, 2);
     look_at(loop_of_three(1), 3, 2);
     look_at(frame(), 4, 3);
-    EQUAL(nswift, 5);
+    EQUAL(nswift, 6);
     swings();
     return check_failures();
 }

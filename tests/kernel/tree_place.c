@@ -114,7 +114,7 @@ static scene *four_bar(void)
     return s;
 }
 
-/* A link and a free slider are loop rows. */
+/* A free slider is a loop row; the link leaves its own direction. */
 static scene *ladder(void)
 {
     scene *s = scene_create();
@@ -123,6 +123,18 @@ static scene *ladder(void)
                 0);
     scene_joint(s, PM_JOINT_SLIDER, scene_point(s, a, -0.5, 0), scene_floor(s, 0), 0);
     scene_joint(s, PM_JOINT_LINK, scene_point(s, p, 0, 0), scene_point(s, a, 0, 0.1), 0.6);
+    return s;
+}
+
+/* Bodies that rotate and a particle, each the first or the second partner of its link. */
+static scene *on_links(void)
+{
+    scene *s = scene_create();
+    const int a = rod(s, 0.9, -0.5, 0.3), b = rod(s, 2.1, -0.8, -0.4),
+              p = scene_body(s, 0.4, 0, 2.6, -1.7, 0);
+    scene_joint(s, PM_JOINT_LINK, scene_point(s, a, -0.4, 0.1), ground(s, 0, 0), 0.7);
+    scene_joint(s, PM_JOINT_LINK, scene_point(s, a, 0.5, 0), scene_point(s, b, -0.3, 0.2), 0.5);
+    scene_joint(s, PM_JOINT_LINK, scene_point(s, p, 0, 0), scene_point(s, b, 0.4, 0), 0.8);
     return s;
 }
 
@@ -150,7 +162,8 @@ static const sample samples[] = {
     {"sticking", sticking, 2, 0, {ROLL_LINE, ROLL_CIRCLE}},
     {"slider-crank", slider_crank, 3, 2, {PIN, PIN, PIN}},
     {"four-bar", four_bar, 3, 2, {PIN, PIN, PIN}},
-    {"ladder", ladder, 5, 3, {FREE, FREE}},
+    {"ladder", ladder, 4, 2, {FREE, LINK}},
+    {"on links", on_links, 5, 0, {LINK, LINK, LINK}},
     {"free", free_bodies, 5, 0, {FREE, FREE}},
 };
 

@@ -120,6 +120,38 @@ static inline scene *four_bar(void)
     return s;
 }
 
+/* On links: a particle, a rod on it, and on the rod another particle and a rod that is pinned to a block.  `turned`: each link
+ * names its partners the other way round. */
+static inline scene *linked(int turned)
+{
+    scene *s = scene_create();
+    const int p = scene_body(s, 0.7, 0, 0.6, -0.8, 0), bar = rod(s, 0.9, -1.5, 0.3, 0.8, 1.1),
+              bob = scene_body(s, 0.4, 0, 2.1, -1.9, 0), block = scene_body(s, 0.5, 0.02, 1.2, -2.2, 0.5);
+    const int joined[4][2] = {{scene_point(s, p, 0, 0), scene_point(s, PM_GROUND, 0, 0)},
+                              {scene_point(s, bar, -0.3, 0.1), scene_point(s, p, 0, 0)},
+                              {scene_point(s, bob, 0, 0), scene_point(s, bar, 0.4, 0)},
+                              {scene_point(s, block, 0.1, 0.05), scene_point(s, bar, 0, -0.1)}};
+    static const double length[4] = {1, 0.7, 0.75, 0.65};
+    for (int i = 0; i < 4; i++) {
+        const int first = i % 2 == turned;
+        scene_joint(s, PM_JOINT_LINK, joined[i][!first], joined[i][first], length[i]);
+    }
+    pin(s, rod(s, 1.2 + 0.3, -2.2, -1.1, 0.6, 0.3), -0.3, 0, block, 0.3 * cos(0.5), -0.3 * sin(0.5));
+    return s;
+}
+
+/* Two particles and a rod, each on a link. */
+static inline scene *bobs(void)
+{
+    scene *s = scene_create();
+    const int a = scene_body(s, 0.7, 0, 0.6, -0.8, 0), b = scene_body(s, 0.4, 0, 1.1, -1.2, 0),
+              bar = rod(s, 1.4, -1.8, 0.3, 0.8, 1.1);
+    scene_joint(s, PM_JOINT_LINK, scene_point(s, a, 0, 0), scene_point(s, PM_GROUND, 0, 0), 1);
+    scene_joint(s, PM_JOINT_LINK, scene_point(s, a, 0, 0), scene_point(s, b, 0, 0), 0.6);
+    scene_joint(s, PM_JOINT_LINK, scene_point(s, bar, -0.3, 0.1), scene_point(s, b, 0, 0), 0.7);
+    return s;
+}
+
 /* Three bodies in a loop of pins, or of a wheel, a rod and a block on the ground. */
 static inline scene *loop_of_three(int wheel)
 {

@@ -37,6 +37,7 @@ static double greatest_lever(const struct pm_tree *tree)
         const pm_tree_node *x = &tree->node[i];
         if (x->placement == FREE) continue;
         lever = pm_max(pm_length(x->child), lever);
+        if (x->placement == LINK) lever = pm_max(x->length, lever);
         if (x->parent != tree->model->nbody) lever = pm_max(pm_length(x->mark), lever);
     }
     return lever;

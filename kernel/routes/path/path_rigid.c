@@ -1,7 +1,7 @@
 /* path_rigid.c - places of a rigid group that one coordinate u moves: a body on a fixed pin, slider or track, and all that
- * is welded to it.
+ * is welded to it; or a particle on a link.
  *
- * Let P be the mark of that body on its joint, and R the rotation of the group by its angle: u, or a constant (slider).
+ * Let P be the mark of that body on its joint, and R the rotation of the group by its angle: u, or a constant (slider, link).
  * With d, the way from P to a mass centre in the axes of the first body, and ' by u,
  *
  *   x = P + R d,   t = x' = P' + w k x R d,   c = x'' = P'' - w^2 R d,   w the rate of the angle: 1 or 0
@@ -10,7 +10,8 @@
  *
  *   pin      P = P_0
  *   line     P = P_0 +- (s t + r n),   s = u, or what has been rolled;  t, n turn along where they are the group's
- *   circles  P = P_0 +- L (cos phi, sin phi),   phi linear in u                                   (tree_place.c) */
+ *   circles  P = P_0 +- L (cos phi, sin phi),   phi linear in u                                   (tree_place.c)
+ *   link     the same, phi = u */
 #include "routes/path/path.h"
 
 #include <math.h>
@@ -57,10 +58,10 @@ static void begin_at(const pm_workspace *w, const pm_tree_node *x)
     g->from = pm_lanes_load(from) + rotated(rotation, pm_lanes_load(x->mark));
     g->line = x->child_is_a ? rotated(rotation, line) : line;
     g->first = x;
-    g->rotates = x->placement != SLIDER;
+    g->rotates = !pm_tree_shifts(x);
     g->fixed = from[2];
-    g->angle = from[2] + x->angle; /* of a slider */
-    g->rotation = rotated(rotation, pm_lanes_load(x->rotation));
+    g->angle = x->placement == LINK ? 0 : from[2] + x->angle; /* a particle, a slider */
+    g->rotation = x->placement == LINK ? (pm_lanes){1, 0} : rotated(rotation, pm_lanes_load(x->rotation));
     add(w, x, NULL, &g->body[g->n++]);
 }
 
@@ -134,12 +135,21 @@ static inline void go_along_line(const pm_state *state, const pm_rigid *g, doubl
     x->bend = 2 * rate * n - x->rho;
 }
 
-static void go_round_circle(const pm_state *state, const pm_rigid *g, double u, pm_lanes rotation,
-                            pm_track *x)
+static pm_lanes rotation_by(const pm_frame *frame, double angle)
+{
+    const pm_rotation *x = pm_frame_rotation(frame, angle);
+    return (pm_lanes){x->cosine, x->sine};
+}
+
+static void go_round_circle(const pm_frame *frame, const pm_state *state, const pm_rigid *g, double u,
+                            pm_lanes rotation, pm_track *x)
 {
     const pm_tree_node *node = g->first;
-    const double rate = node->roll_own;
-    if (rate == 1 && node->roll_parent == 0) { /* on a point */
+    const double rate = node->placement == LINK ? 1 : node->roll_own;
+    if (node->placement == LINK) {
+        const pm_lanes direction = rotation_by(frame, u);
+        x->rho = node->length * direction;
+    } else if (rate == 1 && node->roll_parent == 0) { /* on a point */
         x->rho = rotated(rotation, pm_lanes_load(node->touch));
     } else {
         const double begin = state->memory[node->memory].anchor / node->length,
@@ -151,13 +161,14 @@ static void go_round_circle(const pm_state *state, const pm_rigid *g, double u, 
     x->bend = -rate * rate * x->rho;
 }
 
-static inline void go(const pm_state *state, const pm_rigid *g, double u, pm_lanes rotation, pm_track *x)
+static inline void go(const pm_frame *frame, const pm_state *state, const pm_rigid *g, double u,
+                      pm_lanes rotation, pm_track *x)
 {
     const pm_tree_node *node = g->first;
     const double sign = node->child_is_a ? 1 : -1;
     x->rate = x->bend = x->rho = x->t = (pm_lanes){0, 0};
-    if (node->placement == ROLL_CIRCLE)
-        go_round_circle(state, g, u, rotation, x);
+    if (node->placement == ROLL_CIRCLE || node->placement == LINK)
+        go_round_circle(frame, state, g, u, rotation, x);
     else if (node->placement != PIN)
         go_along_line(state, g, u, rotation, x);
     x->at = g->from + sign * x->rho;
@@ -165,17 +176,21 @@ static inline void go(const pm_state *state, const pm_rigid *g, double u, pm_lan
     x->bend *= sign;
 }
 
-/* Its angle, and the levers of its reactions. */
-static inline void rotate_body(const pm_rigid_body *b, double angle, pm_lanes rotation, const pm_track *x,
-                               const pm_place *place)
+/* The levers of its reactions. */
+static inline void set_arm(const pm_rigid_body *b, pm_lanes rotation, const pm_track *x,
+                           const pm_place *place)
 {
-    double *pose = place->pose + 5 * b->body, *arm = place->arm + PM_TREE_ARM * b->body;
-    pose[2] = place->q[3 * b->body + 2] = angle + b->angle;
-    pm_lanes_store(pose + 3, rotated(rotation, b->rotation));
-    if (!b->holds) return;
+    double *arm = place->arm + PM_TREE_ARM * b->body;
     pm_lanes_store(arm, rotated(rotation, b->lever));
     pm_lanes_store(arm + 2, x->rho);
     pm_lanes_store(arm + 4, x->t);
+}
+
+static inline void rotate_body(const pm_rigid_body *b, double angle, pm_lanes rotation, const pm_place *place)
+{
+    double *pose = place->pose + 5 * b->body;
+    pose[2] = place->q[3 * b->body + 2] = angle + b->angle;
+    pm_lanes_store(pose + 3, rotated(rotation, b->rotation));
 }
 
 /* What the bodies make of a place, in both directions. */
@@ -200,7 +215,8 @@ static inline pm_sums place_body(const pm_rigid_body *b, double angle, pm_lanes 
     pm_lanes_store_three(place->bend + 3 * b->body, c, 0);
     pm_lanes_store_three(pose, at, 0);
     pm_lanes_store(pose + 3, (pm_lanes){1, 0});
-    if (b->rotates) rotate_body(b, angle, rotation, x, place);
+    if (b->rotates) rotate_body(b, angle, rotation, place);
+    if (b->holds) set_arm(b, rotation, x, place);
     return sum;
 }
 
@@ -215,12 +231,6 @@ static void leave_fixed(const pm_workspace *w, const pm_place *place)
     }
 }
 
-static pm_lanes rotation_by(const pm_frame *frame, double angle)
-{
-    const pm_rotation *x = pm_frame_rotation(frame, angle);
-    return (pm_lanes){x->cosine, x->sine};
-}
-
 void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place)
 {
     const pm_rigid *g = &w->path->rigid;
@@ -228,7 +238,7 @@ void pm_path_rigid_place(const pm_workspace *w, double u, pm_place *place)
     const pm_lanes rotation = g->rotates ? rotation_by(&w->frame, u) : g->rotation;
     pm_track track;
     pm_sums sum = {.inertia = 0};
-    go(&w->state, g, u, rotation, &track);
+    go(&w->frame, &w->state, g, u, rotation, &track);
     for (int i = 0; i < g->n; i++) sum = place_body(&g->body[i], angle, rotation, spin, &track, place, sum);
     place->mass = pm_lanes_sum(sum.mass) + spin * sum.inertia;
     place->change = pm_lanes_sum(sum.change);
