@@ -158,6 +158,7 @@
 #define PM_MODE_CONFIRMED 1e-6 /* of the fastest mode: two lengths of differences agree; larger: modes where the scene is not smooth */
 #define PM_TREE_SUMMED 64 /* coordinates up to which the sums of tree_augmented.c are kept: their square in memory; more: more memory */
 #define PM_TREE_WHOLE_EACH 200.0 /* multiplications that a constraint costs in the whole system, beside its factors; more: larger trees in their own coordinates */
+#define PM_TREE_LINKED 8 /* coordinates that move one body, links among them, up to which links are placed; more: long chains on links are slower */
 #define PM_TREE_FEW 3 /* freedoms up to which coordinates are partitioned: work grows with their square; more: slower */
 #define PM_LOOP_SWEEPS 20 /* Newton steps of the dependent coordinates; more, and a shorter step is better */
 #define PM_LOOP_FINEST 4e-16 /* of size and speed: near a singular position what is left is amplified; larger: less exact there */

@@ -229,6 +229,8 @@ void pm_tree_arrange(pm_tree *t);
 int pm_tree_factor_dependent(pm_workspace *w, const double *jacobian);
 void pm_tree_solve_dependent(const pm_tree *t, double *x);
 void pm_tree_solve_dependent_transposed(const pm_tree *t, double *x);
+/* Numbers the coordinates of all placed bodies, and lists what moves them and the loop constraints (tree_order.c). */
+void pm_tree_order(const pm_active_set *active, pm_tree *t);
 /* Zeros what of a loop constraint's Jacobian counts. */
 void pm_tree_loop_zero(const pm_tree *t, const pm_constraint *c, double *on_coordinates);
 /* Adds a constraint's Jacobian on the coordinates. */

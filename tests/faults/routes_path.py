@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "path: a link keeps its levers",
+        "routes/path/path_rigid.c",
+        "if (b->holds) set_arm(b, rotation, x, place);",
+        "if (b->holds && b->rotates) set_arm(b, rotation, x, place);",
+    ),
+    Fault(
         "path: steps end soon for an edge that a mark passes behind",
         "routes/path/route_path.c",
         "fabs(gap - own) > pm_contact_length(frame)",

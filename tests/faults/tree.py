@@ -3,9 +3,12 @@
 from tests.faults.fault import Fault
 
 FAULTS = [
-    Fault("tree: loop rows end before their last", "tree/tree.c", "        t->to[i]++;\n", ""),
+    Fault("tree: loop rows end before their last", "tree/tree_order.c", "        t->to[i]++;\n", ""),
     Fault(
-        "tree: loop rows share nothing", "tree/tree.c", "t->first_loop[i] = first;", "t->first_loop[i] = i;"
+        "tree: loop rows share nothing",
+        "tree/tree_order.c",
+        "t->first_loop[i] = first;",
+        "t->first_loop[i] = i;",
     ),
     Fault(
         "tree: joints that may place a body yet",
@@ -21,7 +24,7 @@ FAULTS = [
     ),
     Fault(
         "tree: a dropped loop row",
-        "tree/tree.c",
+        "tree/tree_order.c",
         "if (t->used[i]) continue;\n        int low, key",
         "if (t->used[i] || i + 1 == active->n) continue;\n        int low, key",
     ),
@@ -78,6 +81,12 @@ FAULTS = [
         "a[k] += sign * s * s",
     ),
     Fault(
+        "tree: long rows on links keep their directions",
+        "tree/tree.c",
+        "if (is_long(t)) place_all(w, 0);",
+        "(void)is_long(t);",
+    ),
+    Fault(
         "tree: a link's rate by its length",
         "tree/tree_node.h",
         "rate / (x->length * x->length)",
@@ -100,12 +109,6 @@ FAULTS = [
         "tree/tree_place.c",
         "r[0] * rho[1] - r[1] * rho[0]",
         "r[1] * rho[0] - r[0] * rho[1]",
-    ),
-    Fault(
-        "path: a link keeps its levers",
-        "routes/path/path_rigid.c",
-        "if (b->holds) set_arm(b, rotation, x, place);",
-        "if (b->holds && b->rotates) set_arm(b, rotation, x, place);",
     ),
     Fault(
         "tree: partitioned, without the quadratic part",

@@ -315,6 +315,8 @@ int main(void)
     look_at(linked(0), 7, 0);
     look_at(linked(1), 7, 0);
     look_at(bobs(), 4, 0);
+    look_at(row_on_links(8), 8, 0);
+    look_at(row_on_links(9), 18, 9); /* coordinates of their own would cost more */
     look_at(free_bodies(), 8, 0);
     look_at(loop_of_three(0), 3, 2);
     look_at(loop_of_three(1), 3, 2);

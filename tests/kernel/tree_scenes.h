@@ -140,6 +140,19 @@ static inline scene *linked(int turned)
     return s;
 }
 
+/* Particles, each on a link from the one before. */
+static inline scene *row_on_links(int n)
+{
+    scene *s = scene_create();
+    int before = scene_point(s, PM_GROUND, 0, 0);
+    for (int i = 1; i <= n; i++) {
+        const int next = scene_point(s, scene_body(s, 0.5, 0, i, 0.3 * (i % 2), 0), 0, 0);
+        scene_joint(s, PM_JOINT_LINK, before, next, 1.05);
+        before = next;
+    }
+    return s;
+}
+
 /* Two particles and a rod, each on a link. */
 static inline scene *bobs(void)
 {
