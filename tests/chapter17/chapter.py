@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import planemotion
-from planemotion.engine.result import AskValue, RunResult
+from planemotion.engine.answer import AskValue
+from planemotion.engine.result import RunResult
 from planemotion.run import simulate
 from planemotion.scene import Scene
 from tests import CHAPTER

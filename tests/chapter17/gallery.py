@@ -12,7 +12,8 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from planemotion.engine.result import AskValue, RunResult
+from planemotion.engine.answer import AskValue
+from planemotion.engine.result import RunResult
 from tests import CHAPTER
 from tests.chapter17 import chapter
 

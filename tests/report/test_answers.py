@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from planemotion import AskValue, load
+from planemotion.engine.answer import note_text, value_text
 from planemotion.examples import text_of
-from planemotion.report.answers import note_text, value_text
 from tests.cli.calls import invoke, strict_json
 
 
@@ -52,5 +52,7 @@ def test_what_a_terminal_rounds_is_whole_everywhere_else(folder: Path) -> None:
     assert 0 < abs(x.value) < x.error / 20
     line = next(one for one in invoke("run", "a.toml").stdout.splitlines() if one.split()[:1] == ["x"])
     assert line.split() == ["x", "0", "m", "\u00b1", f"{x.error:.1e}"]
+    assert "  x = 0 m" in repr(result).splitlines()
+    assert "  x = 0 m" in result.explain().splitlines()
     [entry] = strict_json(invoke("run", "a.toml", "--json", "-").stdout)["scenes"]
     assert entry["asks"]["x"]["value"] == result.x

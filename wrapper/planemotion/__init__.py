@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .animate import Animation
     from .base.errors import PlanemotionError, SceneError, SimulationError, StudyError
-    from .engine.result import AskValue, RunResult
+    from .engine.answer import AskValue
+    from .engine.result import RunResult
     from .engine.words import words
     from .file import load, load_text
     from .fmu import export_fmu
@@ -48,7 +49,7 @@ __all__ = [
 
 _HOME = {
     "Animation": "animate",
-    "AskValue": "engine.result",
+    "AskValue": "engine.answer",
     "OutcomeMap": "mapping",
     "Picture": "pictures.picture",
     "PlanemotionError": "base.errors",

@@ -111,7 +111,7 @@ class Scene(SceneTable):
         >>> result = load_text(text_of("pin"), file="pin.toml").run(g="1.62 m/s^2")
         >>> result
         RunResult pin: ok
-          omega = -2.01246118 rad/s
+          omega = -2.0124612 rad/s
           reaction = 12.15 N
         >>> result.asks["omega"].error < 1e-8
         True

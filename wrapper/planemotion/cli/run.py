@@ -19,7 +19,8 @@ from ..base.files import HISTORIES, appearing, ending
 from .options import FAILED, WRONG, a_path, advise, say, set_option, terminal_width
 
 if TYPE_CHECKING:
-    from ..engine.result import AskValue, RunResult
+    from ..engine.answer import AskValue
+    from ..engine.result import RunResult
     from ..scene import Scene
 
 
@@ -185,8 +186,8 @@ def _answers(scene: Scene, result: RunResult) -> str:
 
 def _answer_lines(asks: Mapping[str, AskValue]) -> list[str]:
     """The answers in their order: numbers stand below each other, lists behind their keys."""
+    from ..engine.answer import note_text, unit_text, value_text
     from ..report.aligned import Column, aligned
-    from ..report.answers import note_text, unit_text, value_text
 
     width = terminal_width()
     singles = [ask for ask in asks.values() if not isinstance(ask.value, list)]

@@ -12,6 +12,7 @@ from ..base.html import html_table
 from ..compile.asks import Asked
 from ..compile.flatten import FlatScene
 from ..language.units import factor
+from .answer import Answer, AskValue, Estimate, note_text, unit_text, value_text
 from .kernel import AUDITS, REASONS, route_name, status_name
 from .messages import message
 from .notes import first_ordered, notes_of, two_sided
@@ -25,38 +26,6 @@ _COUNTS = {
 }
 # Counts that say something only where a parameter is sought.
 _OF_FINDS = ("runs", "found")
-
-Estimate = float | list[float | None] | None
-Answer = Estimate | str
-
-
-@dataclass(frozen=True)
-class AskValue:
-    """The answer to one ask: `value` in `unit`; None, with the `reason`, where there is none.
-
-    The answer which events happened is a text, "" if none did.
-
-    A list has None for each value that was not reached; `reason` then says why, and also where an event
-    fired more often than the list "each EVENT" is long.  `error`: the estimated
-    absolute error, in `unit`, shaped as `value`; None where nothing was estimated.  `margin`, of an integer
-    or a yes or no: distance over error of the closest decision on which it depends; below 1 it is not
-    certain; None if no decision was taken.
-    """
-
-    value: Answer
-    unit: str
-    reason: str = ""
-    error: Estimate = None
-    margin: float | None = None
-
-    def to_json(self) -> dict[str, Any]:
-        """Value and unit, what is known of error and margin, and the reason where something is missing."""
-        entry: dict[str, Any] = {"value": self.value, "unit": self.unit}
-        if self.error is not None:
-            entry["error"] = self.error
-        if self.margin is not None:
-            entry["margin"] = self.margin
-        return {**entry, "reason": self.reason} if self.reason else entry
 
 
 @dataclass(frozen=True, repr=False)
@@ -188,7 +157,7 @@ def answer_rows(result: RunResult) -> list[tuple[str, str, str, str]]:
     """A table of the answers in words, its head first."""
     rows = [("ask", "value", "unit", "estimated error")]
     shown = shown_answers(result)
-    rows += [(key, _value_text(ask), _unit_text(ask), _error_text(ask)) for key, ask in shown.items()]
+    rows += [(key, value_text(ask), unit_text(ask), note_text(ask)) for key, ask in shown.items()]
     return rows
 
 
@@ -348,25 +317,6 @@ def _number(value: float | None) -> str:
     return "none" if value is None else f"{value:.1e}"
 
 
-def _value_text(ask: AskValue) -> str:
-    if isinstance(ask.value, list):
-        return "[" + ", ".join("-" if value is None else f"{value:.9g}" for value in ask.value) + "]"
-    if isinstance(ask.value, str):
-        return f'"{ask.value}"'
-    return "-" if ask.value is None else f"{ask.value:.9g}"
-
-
-def _unit_text(ask: AskValue) -> str:
-    return "" if ask.unit == "1" else ask.unit
-
-
-def _error_text(ask: AskValue) -> str:
-    """The greatest error of a list; what else there is to say, such as why there is no value."""
-    errors = ask.error if isinstance(ask.error, list) else [ask.error]
-    error = max((f"{one:.1e}" for one in errors if one is not None), key=float, default="")
-    return ", ".join(text for text in (error, ask.reason) if text)
-
-
 def _shown(ask: AskValue) -> str:
-    unit = _unit_text(ask)
-    return _value_text(ask) + (f" {unit}" if unit else "") + (f" ({ask.reason})" if ask.reason else "")
+    reason = f"({ask.reason})" if ask.reason else ""
+    return " ".join(text for text in (value_text(ask), unit_text(ask), reason) if text)

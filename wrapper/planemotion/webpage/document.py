@@ -9,17 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 from ..animation import page as player
 from ..base.versions import versions
+from ..engine.answer import note_text, unit_text, value_text
 from ..engine.kernel import status_text
 from ..engine.result import counts_text, trust_text
 from ..pictures.panels import read_panels
-from ..report.answers import note_text, unit_text, value_text
 from .outcomes import LISTED, cases_not_ok, outcomes
 from .plots import MAP_CELLS, plots
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..engine.result import AskValue, RunResult
+    from ..engine.answer import AskValue
+    from ..engine.result import RunResult
     from ..reading.scene import SceneData
 
 # Of a sweep, as its result has them, and what they are called in the report.

@@ -1,16 +1,46 @@
-"""An answer in words: its number, its unit, and what is known of it."""
+"""An answer: its number, its unit, and what is known of it; the same in words."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from ..engine.result import AskValue
+from dataclasses import dataclass
+from typing import Any
 
 _SHOWN_OF_LIST = 6
 _DIGITS = 8  # significant, of an answer, at most
 _OF_ERROR = 2  # significant, of an error: what an answer has beyond them says nothing
+
+Estimate = float | list[float | None] | None
+Answer = Estimate | str
+
+
+@dataclass(frozen=True)
+class AskValue:
+    """The answer to one ask: `value` in `unit`; None, with the `reason`, where there is none.
+
+    The answer which events happened is a text, "" if none did.
+
+    A list has None for each value that was not reached; `reason` then says why, and also where an event
+    fired more often than the list "each EVENT" is long.  `error`: the estimated
+    absolute error, in `unit`, shaped as `value`; None where nothing was estimated.  `margin`, of an integer
+    or a yes or no: distance over error of the closest decision on which it depends; below 1 it is not
+    certain; None if no decision was taken.
+    """
+
+    value: Answer
+    unit: str
+    reason: str = ""
+    error: Estimate = None
+    margin: float | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """Value and unit, what is known of error and margin, and the reason where something is missing."""
+        entry: dict[str, Any] = {"value": self.value, "unit": self.unit}
+        if self.error is not None:
+            entry["error"] = self.error
+        if self.margin is not None:
+            entry["margin"] = self.margin
+        return {**entry, "reason": self.reason} if self.reason else entry
 
 
 def value_text(ask: AskValue) -> str:
