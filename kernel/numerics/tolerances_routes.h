@@ -135,6 +135,7 @@
 #define PM_ZENO_ALIKE 2 /* successive blows that were e times the one before; more: the leap comes later */
 #define PM_ZENO_GEOMETRIC 1e-8 /* of a blow: rounding of a slow one in a fast scene; more: series that are none are taken */
 #define PM_ZENO_SLOW 1e-3 /* of the scene's speed: a rebound too low for a look of its own; more: leaps come earlier */
+#define PM_ZENO_EARLIER 100.0 /* times PM_ZENO_SLOW in a coarse run: a tenth of the scene's speed, with hardly a hundredth of what rounding does still to come; larger: less of that is seen, smaller: slower */
 #define PM_ZENO_ENOUGH 500 /* blows alike, however fast; more: slower */
 #define PM_ZENO_MARGIN 2.0 /* of what the flights to come may still change; more: fewer leaps */
 #define PM_TURNS_ALIKE 6 /* successive blows of two contacts by turns; more: the leap comes later */

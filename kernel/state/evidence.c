@@ -40,6 +40,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     p->relative = p->late = 0;
     p->unsure = 0;
     p->cut = 0;
+    p->alike = 0;
     p->tied = NAN;
     for (int i = 0; i < model->rows[PM_TABLE_TRIGGER]; i++) p->extreme[i] = INFINITY;
     begin_log(&p->log);
@@ -205,6 +206,13 @@ void pm_evidence_part(pm_evidence *evidence, int contact)
     if (part > INT32_MAX / PART - 1) return;
     log->instant = part * PART;
     log->history = mixed(FIRST, (uint32_t)contact);
+}
+
+void pm_evidence_leap(pm_evidence *evidence, int contact, int alike)
+{
+    if (!evidence->active) return;
+    evidence->present->alike += alike;
+    pm_evidence_part(evidence, contact);
 }
 
 int pm_evidence_is_open(const pm_evidence_decision *x, double unit)

@@ -83,6 +83,7 @@ typedef struct pm_pass {
     double *end;      /* [2][nq] positions, velocities with which it ended */
     double *extreme;  /* [2][ntrigger] nearest to zero of a decision by forces, and how far nearby */
     int cut;          /* a series of blows without end was cut off, by its error in time */
+    int64_t alike;    /* blows of series of which the rest was taken at once: how many is no decision */
     int unsure;       /* the extremes of such a function are not known */
     double tied; /* s, when a jump that was located and a time of the scene were at one instant; NaN: never */
     pm_unseen unseen;
@@ -146,6 +147,8 @@ void pm_evidence_sign(pm_evidence *evidence, int site, int what, double x, doubl
 void pm_evidence_blow(pm_evidence *evidence, double approach);
 /* A contact has been struck infinitely often: other passes may have seen other numbers of its blows. */
 void pm_evidence_part(pm_evidence *evidence, int contact);
+/* The rest of such a series is taken at once, after so many blows of which each was like the one before. */
+void pm_evidence_leap(pm_evidence *evidence, int contact, int alike);
 /* What is decided from now on belongs to this trial of modes (0: to none).  Two passes may try different modes at an instant and end
  * with the same: decisions are compared where both tried the same. */
 void pm_evidence_try(pm_evidence *evidence, uint32_t trial);

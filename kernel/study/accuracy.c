@@ -2,9 +2,10 @@
  *
  * The coarse run of a pass is the same case at a tolerance PM_COARSER times as large, with longer steps where the tolerance
  * does not limit them and less care about what counts as touching or still, and with positions, velocities and the times of
- * forces off by some roundings when a phase begins and at each step in time.  Its answers a' differ from the answers a by its
- * own error: truncation and rounding, amplified as the scene amplifies errors.  The errors of a method go with its tolerance,
- * so that a's own error is expected at |a' - a| / PM_COARSER (judge.c).
+ * forces off by some roundings when a phase begins and at each step in time.  Series of blows without end are over earlier
+ * in it (last_bounce.c, zeno.c).  Its answers a' differ from the answers a by its own error: truncation and rounding,
+ * amplified as the scene amplifies errors.  The errors of a method go with its tolerance, so that a's own error is expected
+ * at |a' - a| / PM_COARSER (judge.c).
  *
  * Where an error is greater than the accuracy asked, or passes have decided differently, the case is run again at a tighter
  * tolerance, with a coarse run of its own, at most PM_ACCURACY_REFINEMENTS times; what got no better is not taken, and what

@@ -127,11 +127,13 @@ pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b,
 }
 
 /* ---- of a case ---- */
+/* Those of a series of which the rest was taken at once do not count: a coarse run takes it earlier. */
+static int64_t jumps_of(const pm_pass *p) { return p->count[PM_COUNT_JUMPS] - p->alike; }
+
 int pm_margin_same_jumps(const pm_accuracy *e)
 {
     const pm_pass *a = e->main, *b = e->other;
-    return pm_evidence_has_series(a) || pm_evidence_has_series(b) ||
-           a->count[PM_COUNT_JUMPS] == b->count[PM_COUNT_JUMPS];
+    return a->cut || b->cut || jumps_of(a) == jumps_of(b);
 }
 
 static int is_tied(const pm_pass *p) { return !isnan(p->tied); }

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "margin: a coarse run that takes a series at once earlier has decided otherwise",
+        "study/margin.c",
+        "p->count[PM_COUNT_JUMPS] - p->alike",
+        "p->count[PM_COUNT_JUMPS]",
+    ),
+    Fault(
         "margin: what nobody has seen is decided where no errors are estimated",
         "study/accuracy.c",
         "return status == PM_OK ? pm_margin_unseen(w) : status;",
