@@ -62,6 +62,29 @@ void pm_frame_look_placed(pm_frame *frame, const pm_state *s, const double *q, c
     frame->pose[5 * frame->model->nbody + 3] = 1;
 }
 
+void pm_frame_look_along(pm_frame *frame, pm_state *s, const pm_memory *memory, const double *pose,
+                         double rate, const double *direction)
+{
+    double *to = frame->pose, *q = s->q, *v = s->v, *velocity = frame->velocity;
+    for (const double *end = pose + 5 * frame->model->nbody; pose < end;
+         pose += 5, direction += 3, to += 5, q += 3, v += 3, velocity += 3) {
+        const pm_lanes place = pm_lanes_load(pose), way = rate * pm_lanes_load(direction);
+        const double angle = pose[2], omega = rate * direction[2];
+        pm_lanes_store_three(to, place, angle);
+        pm_lanes_store(to + 3, pm_lanes_load(pose + 3));
+        pm_lanes_store_three(q, place, angle);
+        pm_lanes_store_three(v, way, omega);
+        pm_lanes_store_three(velocity, way, omega);
+    }
+    to[3] = 1; /* the ground: all else stays 0 */
+    frame->t = s->t;
+    frame->q = s->q;
+    frame->v = s->v;
+    frame->z = s->z;
+    frame->memory = memory;
+    frame->level = PM_LEVEL_KINEMATIC;
+}
+
 void pm_frame_look_state(pm_frame *frame, const pm_state *s)
 {
     pm_frame_look(frame, s->t, s->q, s->v, s->z, s->memory);

@@ -84,6 +84,11 @@ static inline void pm_frame_take_poses(pm_frame *frame, const double *pose)
     }
 }
 
+/* Looks at s, whose poses [nbody][5] are known, and whose velocities are `rate` times a direction [nq]: all in one pass, for
+ * routes that look at many places.  q and v of s become those. */
+void pm_frame_look_along(pm_frame *frame, pm_state *s, const pm_memory *memory, const double *pose,
+                         double rate, const double *direction);
+
 /* A mark at body axes (x, y) of `body` (nbody: the ground).  Here, so that nothing is worked out that nobody reads. */
 static inline pm_point pm_frame_point(const pm_frame *frame, int body, double x, double y)
 {

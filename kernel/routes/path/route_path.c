@@ -145,10 +145,16 @@ static double next_contact(pm_workspace *w, const pm_place *x)
     return PM_PATH_BEYOND * h;
 }
 
+/* How fast the driver moves at a place. */
+static double rate_at(const pm_path *p, const pm_place *x)
+{
+    return p->sense * sqrt(2 * (x->kinetic > 0 ? x->kinetic : 0) / x->mass);
+}
+
 static void state_of(const pm_model *model, const pm_path *p, const pm_place *x, double s, double t,
                      pm_state *state)
 {
-    const double rate = p->sense * sqrt(2 * (x->kinetic > 0 ? x->kinetic : 0) / x->mass);
+    const double rate = rate_at(p, x);
     pm_lanes_copy_threes(state->q, x->q, model->nbody);
     for (int i = 0; i < model->nq; i += 3)
         pm_lanes_store_three(state->v + i, rate * pm_lanes_load(x->tangent + i), rate * x->tangent[i + 2]);
@@ -206,12 +212,10 @@ static int look(pm_workspace *w, double x, int level)
     const double s = x / w->path->h;
     const int status = place_at(w, x, &place);
     if (status) return status;
-    state_of(w->model, w->path, place, s,
-             w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0, &w->probe);
-    pm_frame_take_poses(&w->frame, place->pose);
-    pm_frame_look_placed(&w->frame, &w->state, w->probe.q, w->probe.v);
-    w->frame.t = w->probe.t;
-    w->frame.z = w->probe.z;
+    if (w->model->nz_controlled > 0) pm_path_integrals(w->model, w->path, s, w->probe.z);
+    w->probe.t = w->model->programs.sample_time ? pm_path_clock_at(w->path, s) : w->path->clock.t0;
+    pm_frame_look_along(&w->frame, &w->probe, w->state.memory, place->pose, rate_at(w->path, place),
+                        place->tangent);
     if (level < PM_LEVEL_DYNAMIC) return PM_OK;
     if (!place->determined || pm_joint_friction_by_load(&w->frame, &w->state)) return pm_saddle_accelerate(w);
     if (w->tree->nloop > 0) return pm_path_accelerate(w, place->tangent);
