@@ -15,9 +15,10 @@ static double dot(int from, int to, const double *a, const double *b)
     return sum;
 }
 
-/* Takes off a row, zero outside its range, what it has along the first n rows of the basis. */
-static void take_off(const pm_orthonormal *x, int n, double *row, int *range)
+/* Takes off a row, zero outside its range, what it has along the first n rows of the basis; whether that is anything. */
+static int take_off(const pm_orthonormal *x, int n, double *row, int *range)
 {
+    int any = 0;
     for (int b = 0; b < n; b++) {
         const double *e = x->row + (size_t)b * (size_t)x->wide;
         const int *other = x->range + 2 * b;
@@ -26,10 +27,12 @@ static void take_off(const pm_orthonormal *x, int n, double *row, int *range)
         if (from >= to) continue;
         const double along = dot(from, to, e, row);
         if (along == 0) continue;
+        any = 1;
         for (int i = other[0]; i < other[1]; i++) row[i] -= along * e[i];
         if (other[0] < range[0]) range[0] = other[0];
         if (other[1] > range[1]) range[1] = other[1];
     }
+    return any;
 }
 
 int pm_orthonormal_rows_add(const pm_orthonormal *x, int n, pm_orthonormal_rest *rest)
@@ -39,7 +42,7 @@ int pm_orthonormal_rows_add(const pm_orthonormal *x, int n, pm_orthonormal_rest 
     double square = dot(range[0], range[1], row, row), before = INFINITY;
     rest->norm = sqrt(square);
     for (int pass = 0; pass < 2 && !(square > PM_TAKEN_OFF_ENOUGH * before); pass++) {
-        take_off(x, n, row, range);
+        if (!take_off(x, n, row, range)) break;
         before = square;
         square = dot(range[0], range[1], row, row);
     }

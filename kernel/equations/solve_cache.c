@@ -62,13 +62,29 @@ static int same_memory(const pm_frame *frame, const pm_solve_cache *cache)
     return bytes == 0 || memcmp(cache->memory, frame->memory, bytes) == 0;
 }
 
+static void keep_evaluated(pm_evaluated *x, const pm_constraint *c)
+{
+    memcpy(x->j, c->j, sizeof x->j);
+    x->g = c->g;
+    x->rate = c->rate;
+    x->gamma = c->gamma;
+}
+
+static void put_evaluated(pm_constraint *c, const pm_evaluated *x)
+{
+    memcpy(c->j, x->j, sizeof x->j);
+    c->g = x->g;
+    c->rate = x->rate;
+    c->gamma = x->gamma;
+}
+
 int pm_solve_cache_take_constraints(pm_workspace *w)
 {
     const pm_solve_cache *r = w->cache;
     if (!r->known || r->active_version != w->active.version || !applies(w) ||
         !same_place(&w->frame, w->cache) || !same_memory(&w->frame, w->cache))
         return 0;
-    memcpy(w->active.constraint, r->constraint, (size_t)w->active.n * sizeof(pm_constraint));
+    for (int i = 0; i < w->active.n; i++) put_evaluated(&w->active.constraint[i], &r->constraint[i]);
     return 1;
 }
 
@@ -94,7 +110,7 @@ void pm_solve_cache_keep(pm_workspace *w)
     pm_lanes_copy_threes(r->velocity, w->frame.velocity, w->model->nbody);
     pm_lanes_copy_threes(r->a, w->frame.a, w->model->nbody);
     memcpy(r->lambda, w->frame.lambda, (size_t)w->active.n * sizeof(double));
-    memcpy(r->constraint, w->active.constraint, (size_t)w->active.n * sizeof(pm_constraint));
+    for (int i = 0; i < w->active.n; i++) keep_evaluated(&r->constraint[i], &w->active.constraint[i]);
     memcpy(r->memory, w->frame.memory, (size_t)w->model->nmemory * sizeof(pm_memory));
 }
 

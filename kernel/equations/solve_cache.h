@@ -2,17 +2,23 @@
 #ifndef PM_SOLVE_CACHE_H
 #define PM_SOLVE_CACHE_H
 
+#include "elements/constraint.h"
 #include "state/workspace.h"
 
+/* What a constraint was evaluated to: all else of it stays while the active set does. */
+typedef struct pm_evaluated {
+    double j[PM_CONSTRAINT_COORDINATES], g, rate, gamma;
+} pm_evaluated;
+
 typedef struct pm_solve_cache {
-    int known;                 /* something is kept */
-    int closed;                /* nothing else is to be kept for now */
-    int64_t active_version;    /* version of the active set when it was found */
-    double *pose;              /* [nq] x, y, angle, as the frame had them */
-    double *velocity;          /* [nq] likewise */
-    double *a, *lambda;        /* [nq], [nconstraint] what was found */
-    pm_memory *memory;         /* [nmemory] */
-    pm_constraint *constraint; /* [nconstraint] as they were evaluated there */
+    int known;                /* something is kept */
+    int closed;               /* nothing else is to be kept for now */
+    int64_t active_version;   /* version of the active set when it was found */
+    double *pose;             /* [nq] x, y, angle, as the frame had them */
+    double *velocity;         /* [nq] likewise */
+    double *a, *lambda;       /* [nq], [nconstraint] what was found */
+    pm_memory *memory;        /* [nmemory] */
+    pm_evaluated *constraint; /* [nconstraint] of the active ones, there */
     /* the set of constraints that was built last */
     int64_t built; /* its version, or PM_NONE */
     pm_slot *slot; /* [nslot] */
