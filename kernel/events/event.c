@@ -208,10 +208,15 @@ static double contact_stands(pm_workspace *w, const pm_event_function *f)
     return mu * w->frame.lambda[normal] - fabs(w->frame.lambda[tangent]);
 }
 
-static double gap_from_below(const pm_workspace *w, int contact)
+/* The nearest member of an open contact is noted. */
+static double sample_gap(const pm_workspace *w, const pm_event_function *f, int *member)
 {
-    return pm_edge_is(w->model, contact) ? pm_edge_gap_from_below(&w->frame, contact)
-                                         : pm_contact_curve_gap_from_below(&w->frame, &w->state, contact);
+    const double gap = pm_contact_gap(&w->frame, &w->state, f->index, member);
+    if (isinf(gap)) return w->numbers.size; /* nothing left to close */
+    if (f->over_end) return pm_edge_gap_over_end(&w->frame, f->index);
+    if (!f->below) return gap + f->sunk;
+    return pm_edge_is(w->model, f->index) ? pm_edge_gap_from_below(&w->frame, f->index)
+                                          : pm_contact_curve_gap_from_below(&w->frame, &w->state, f->index);
 }
 
 static double room_of(const pm_workspace *w, int slot)
@@ -226,12 +231,7 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     const pm_slot *slot = w->state.slot;
     int member;
     switch (f->kind) {
-    case FUNCTION_GAP: {
-        const double gap = pm_contact_gap(&w->frame, &w->state, f->index, &member);
-        if (isinf(gap)) return w->numbers.size; /* nothing left to close */
-        if (f->over_end) return pm_edge_gap_over_end(&w->frame, f->index);
-        return f->below ? gap_from_below(w, f->index) : gap + f->sunk;
-    }
+    case FUNCTION_GAP: return sample_gap(w, f, &member);
     case FUNCTION_NORMAL:
     case FUNCTION_STICK: return contact_stands(w, f);
     case FUNCTION_SLIP: {
@@ -306,11 +306,9 @@ void pm_event_set_multiples(pm_workspace *w)
 }
 
 /* The nearest open member of a touching contact moves away with a definite speed: it may come back at once. */
-static int leaves(const pm_frame *frame, const pm_state *state, int contact)
+static int leaves(const pm_frame *frame, int contact, int member)
 {
-    int member = 0;
     double rate;
-    if (!pm_contact_is_single(frame->model, contact)) pm_contact_gap(frame, state, contact, &member);
     pm_contact_member_gap(frame, contact, member, &rate);
     return rate > pm_contact_speed(frame);
 }
@@ -366,10 +364,12 @@ void pm_event_begin(pm_workspace *w)
         pm_event_function *f = &e->function[i];
         /* of what the route finds itself only the log of decisions wants to know how it begins */
         if (pm_event_changes_sign(f) || (f->owned && !w->evidence.active)) continue;
-        const double value = pm_event_value(w, f);
+        const int gap = f->kind == FUNCTION_GAP;
+        int member;
+        const double value = gap ? sample_gap(w, f, &member) : pm_event_value(w, f);
         if (value > f->slack) continue;
         f->held = 1;
-        if (f->kind == FUNCTION_GAP && leaves(&w->frame, &w->state, f->index)) leave_from(w, f, value);
+        if (gap && leaves(&w->frame, f->index, member)) leave_from(w, f, value);
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }

@@ -341,8 +341,8 @@ static double far_from_zero(const pm_event_function *f, const pm_event_course *o
 /* The first node from k on between which and the next there may be one. */
 static int next_near(const pm_event_course *of, double far, int k)
 {
-    const double *g = of->g;
-    while (k + 1 < of->n && fabs(g[k]) > far && fabs(g[k + 1]) > far && g[k] * g[k + 1] > 0) k++;
+    const double *g = of->g, side = g[k] < 0 ? -1 : 1;
+    while (side * g[k] > far && k + 1 < of->n && side * g[k + 1] > far) k++;
     return k;
 }
 

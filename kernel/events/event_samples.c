@@ -79,7 +79,8 @@ static int look_at_nodes(pm_workspace *w, int functions, int watched)
     if (functions && w->event->level > level) level = w->event->level;
     if (watched && w->ask->level > level) level = w->ask->level;
     for (int k = 0; k < w->step.nodes->n; k++) {
-        const int status = pm_step_look(w, pm_step_node(&w->step, k), level);
+        const double x = functions ? w->event->place[k] : pm_step_node(&w->step, k);
+        const int status = pm_step_look(w, x, level);
         if (status) return status;
         if (functions) {
             pm_gap_culling_node(&w->event->culling, &w->frame, k);

@@ -48,9 +48,10 @@ int pm_watched_samples_create(pm_workspace *w)
 void pm_watched_samples_read(pm_workspace *w, int node, int who)
 {
     const pm_watched_samples *s = w->watched;
+    const pm_measure_reader *x = s->reader;
     double *value = s->value + node;
-    for (const pm_measure_reader *x = s->reader, *end = x + s->n; x < end; x++, value += PM_NODES_MOST)
-        if (s->who[x - s->reader] & who) *value = pm_measure_read(x);
+    for (int i = 0, n = s->n; i < n; i++, x++, value += PM_NODES_MOST)
+        if (s->who[i] & who) *value = pm_measure_read(x);
 }
 
 void pm_watched_samples_run(pm_workspace *w, int program, pm_switches *switches, double *value)

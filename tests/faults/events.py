@@ -61,7 +61,7 @@ FAULTS = [
     Fault(
         "edge: what is behind it stays there",
         "events/event.c",
-        "return f->below ? gap_from_below(w, f->index) : gap + f->sunk;",
+        "if (!f->below) return gap + f->sunk;",
         "return gap + f->sunk;",
     ),
     Fault(

@@ -215,7 +215,7 @@ static int find_reversal(pm_workspace *w, double *way)
     double s, slope;
     p->least = *way = INFINITY;
     for (int k = 1; k < nodes->n; k++) {
-        const double before = pm_path_node(p, k - 1)->kinetic, after = pm_path_node(p, k)->kinetic;
+        const double after = pm_path_node(p, k)->kinetic;
         double low = nodes->at[k], lowest = after;
         if (after > 0 && p->force[k - 1] < 0 && p->force[k] > 0) { /* a dip between the nodes */
             const int status = pm_fail_search(&w->result, pm_chebyshev_root(nodes, p->force, nodes->at[k - 1],
@@ -226,6 +226,7 @@ static int find_reversal(pm_workspace *w, double *way)
         }
         p->least = pm_min(lowest, p->least);
         if (lowest > 0) continue;
+        const double before = pm_path_node(p, k - 1)->kinetic;
         const int status =
             before > 0
                 ? pm_fail_search(&w->result, pm_bracket_newton(exact_kinetic, w, NULL, nodes->at[k - 1],
