@@ -186,11 +186,45 @@ static void take_nearest(pm_workspace *w, int i)
     pm_evidence_take(&w->evidence, &x);
 }
 
+/* Nothing happens but that the motion reverses: what comes at a time may come before that or after. */
+static int only_reverses(const pm_workspace *w)
+{
+    int any = !w->step.reverses;
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) any |= w->firing.fired[i] != 0;
+    for (int i = 0; i < w->event->nfunction; i++) any |= w->event->hit[i];
+    return !any;
+}
+
+static int is_on_time(const pm_model *m, const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index);
+}
+
+/* It has gone through zero in the step unseen: the dense output told the order of two zeros otherwise than exact states do.  (What
+ * fired and was left since then is on the side where it was left.) */
+static int has_passed(const pm_event_function *f, double distance)
+{
+    const double before = f->left != 0 ? f->left : f->side;
+    return f->kind == FUNCTION_TRIGGER && !f->every && !f->held && pm_event_way_crosses(f, before, distance);
+}
+
+/* What the error of the time makes of the distance, where the route knows that. */
+static double error_of(pm_workspace *w, const pm_event_function *f, double distance)
+{
+    const pm_route_ops *route = w->phase.route;
+    const double by = route->beside ? route->beside(w, f->level, is_on_time(w->model, f)) : 0;
+    if (by == 0) return 0;
+    const double changed = distance_of(w, f);
+    route->back(w);
+    return by * fabs(changed - distance);
+}
+
 /* How far it is from zero now, if it has not fired. */
 static void take_value(pm_workspace *w, int i, int marks)
 {
     const pm_event_function *f = &w->event->function[i];
     if (!did_not_fire(w, i, marks) || meets_slowly(w, f)) return;
+    if (is_on_time(w->model, f) && only_reverses(w)) return;
     pm_evidence_decision x = of_function(w->model, f);
     x.kind = PM_EVIDENCE_VALUE;
     x.what = i;
@@ -199,6 +233,8 @@ static void take_value(pm_workspace *w, int i, int marks)
     x.unit = f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND ? w->numbers.size : f->natural;
     x.touching = touching_of(w, f, x.distance);
     x.reach = fabs(x.distance);
+    x.error = error_of(w, f, x.distance);
+    if (x.error > 0 && has_passed(f, x.distance)) pm_evidence_ties(&w->evidence, w->state.t);
     pm_evidence_take(&w->evidence, &x);
 }
 

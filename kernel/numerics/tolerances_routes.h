@@ -51,6 +51,13 @@
 #define PM_ERROR_EXACT 1e-12 /* tail of a function that its samples show to rounding; more: extremes seem exact */
 #define PM_ERROR_RESIDUAL 10.0 /* of the tail: how far an extreme may be from that of the polynomial; more: smaller margins */
 #define PM_ERROR_WIDE 3.0 /* of what a node is nearer to zero than its neighbours: so much nearer an extreme may be; more: slower */
+#define PM_ERROR_ASIDE 1e-4 /* of a step, or of the way to where it rests: step of a difference along the motion; more: curvature spoils it */
+#define PM_ERROR_ASIDE_LEAST 1e-6 /* of a step, at the least, beside a place of rest; less: rounding spoils it */
+#define PM_ERROR_ASIDE_PLACE 1e-10 /* of the driver, likewise */
+#define PM_ERROR_ASIDE_OFF 1e-9 /* of a step and of the driver: so far outside the frame may look; more: places of other steps pass */
+#define PM_ERROR_LIKELY 0.15 /* of what roundings of T allow for the time: what they sum up to, where it is given; more: errors at given times are estimated larger */
+#define PM_ERROR_ENERGY_ROUNDINGS 6e-16 /* of the energies: what rounds T at one place; more: errors beside places of rest are estimated larger */
+#define PM_ERROR_TIME_ROUNDINGS 4e-16 /* of a time: two roundings; more: errors at given times are estimated larger */
 #define PM_ERROR_RESTING 10.0 /* an error of T moves the place of rest, too; more: errors of time estimated larger */
 #define PM_REPEAT_RESTS 4 /* places of rest that the first is compared with, and twice as many each time that none was the same; more: slower */
 #define PM_MOST_REPEATS 100000000 /* segments that are passed over at once; more would not be distinguished */

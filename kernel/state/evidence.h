@@ -43,6 +43,7 @@ typedef struct pm_evidence_decision {
     double touching;    /* times as much as usual counts as touching, of a gap next to it; else 0 */
     double reach;       /* how far it was nearby: nothing by the scene's structure if that is rounding */
     double unit;        /* natural size of the distance; of triggers over the size of their program */
+    double error;       /* of the distance, by that of the time, where the route tells it; else 0 */
     double approach;    /* m/s, greatest of the blow that it belongs to; 0: of none */
     int32_t table, row; /* whose it is, where neither a trigger nor a site tells; PM_NONE: of no place */
     double t;           /* s, of its instant */

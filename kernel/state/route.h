@@ -18,6 +18,10 @@
  *   sampled all that is watched has been sampled at the nodes of a step; NULL: nobody wants to know
  *   error_of  notes the error of out[column], the value of the program at the frame, where the route knows its own errors
  *           (pm_evidence_answer); NULL: never
+ *   beside  the frame, which looks at an instant, looks at a state of the motion beside it, DYNAMIC if the level says so; what a
+ *           function changes by until there, times the result, is what the time makes of its error at the instant; on_time: of a
+ *           function of the time alone; 0, and the frame stays: nothing, or the route does not tell; NULL: never
+ *   back    after any other result: the frame looks at the instant again
  *   resolves  1 if positions of the route resolve any bounce of the contact that has just closed; NULL: never
  * All return a status.  Events are found in the samples of a step (events/event_search.h).  A route that knows in closed
  * form where contacts close ends its step at the first and marks it in w->event->root, which advance.c clears before the
@@ -49,6 +53,8 @@ typedef struct pm_route_ops {
     int (*react)(pm_workspace *w);
     void (*sampled)(pm_workspace *w);
     void (*error_of)(pm_workspace *w, int ask, int column, int program, double value);
+    double (*beside)(pm_workspace *w, int level, int on_time);
+    void (*back)(pm_workspace *w);
     int (*resolves)(const pm_workspace *w, int contact);
     int (*accelerate)(
         pm_workspace *w); /* at the frame, where the constraints are singular; 0: it cannot; NULL: never */

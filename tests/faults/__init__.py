@@ -24,6 +24,7 @@ from tests.faults import (
     numerics,
     routes_ida,
     routes_path,
+    routes_path_time,
     routes_rk,
     routes_start,
     routes_uniform,
@@ -53,7 +54,7 @@ BY_ROOM: dict[str, list[Fault]] = {
     + impact_instants.FAULTS
     + impact_modes.FAULTS
     + impact_springs.FAULTS,
-    "routes/path": routes_path.FAULTS,
+    "routes/path": routes_path.FAULTS + routes_path_time.FAULTS,
     "routes/rk": routes_rk.FAULTS,
     "routes/ida": routes_ida.FAULTS,
     "routes/uniform": routes_uniform.FAULTS,

@@ -30,8 +30,8 @@ FAULTS = [
     Fault(
         "clock: what rounding leaves out of a time is lost",
         "routes/path/path_clock.c",
-        "p->clock.late = fabs(late) <= PM_CLOCK_LATE * t ? late : 0;",
-        "p->clock.late = 0;",
+        "return fabs(late) <= PM_CLOCK_LATE * t ? late : 0;",
+        "return 0;",
     ),
     Fault(
         "path: the bridge's own curvature",
@@ -199,9 +199,9 @@ FAULTS = [
     ),
     Fault(
         "rest: a period is half as long",
-        "routes/path/repeat_rest.c",
-        "w->state.t - rest->period.begin.t +",
-        "0.5 * (w->state.t - rest->period.begin.t) +",
+        "routes/path/repeat_pass.c",
+        "w->state.t - l->begin.t +",
+        "0.5 * (w->state.t - l->begin.t) +",
     ),
     Fault(
         "rest: blows are no matter",

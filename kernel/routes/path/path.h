@@ -97,6 +97,13 @@ typedef struct pm_clock {
     double error; /* s */
 } pm_clock;
 
+/* path_error_time.c: a state of the step beside the one that the frame looks at. */
+typedef struct pm_path_aside {
+    pm_frame kept, own; /* the frame while it looks there; its arrays then */
+    pm_state state;
+    double *y; /* [nq] coordinates of the one it looked at */
+} pm_path_aside;
+
 typedef struct pm_path {
     int n;         /* tree coordinates of the phase */
     int driver;    /* the one that is the path parameter u */
@@ -128,8 +135,9 @@ typedef struct pm_path {
     double *weight; /* [nz_controlled] z at the begin of the step */
     double *work;   /* [nz_controlled] z somewhere in the step */
     int *column;    /* [n] pivots */
-    double error;   /* of T, J */
-    double ended;   /* T at the end of the last phase, before its blows; 0: none has ended since the step */
+    pm_path_aside aside;
+    double error; /* of T, J */
+    double ended; /* T at the end of the last phase, before its blows; 0: none has ended since the step */
     double least, lowest;      /* T of the step, of the phase */
     double way;                /* of the driver since the phase began, or since the last lap */
     double impulse[PM_LEDGER]; /* what the ledger of the outer impulses exceeds the momenta by */
@@ -191,8 +199,11 @@ int pm_path_bridge_accelerate(pm_workspace *w);
 void pm_path_clock_fill_table(pm_clock_table *table);
 /* Makes the clock of a step whose nodes are filled; 0 if they do not resolve it: its highest coefficients exceed `most`. */
 int pm_path_clock_set(pm_path *p, int clock, double most);
-/* Time at the fraction s of the step. */
+/* Time at the fraction s of the step; from one to another, as it was before both were rounded. */
 double pm_path_clock_at(const pm_path *p, double s);
+double pm_path_clock_between(const pm_path *p, double from, double to);
+/* What rounding has left out of the time t at the fraction s of the step. */
+double pm_path_clock_left(const pm_path *p, double t, double s);
 
 /* ---- path_rigid.c: an open tree of one coordinate in which all that moves is one rigid group ---- */
 /* Whether the tree is such a one; p->rigid is made for the phase then, where the frame looks. */
@@ -224,14 +235,29 @@ void pm_path_error_step(pm_workspace *w, double kinetic);
 void pm_path_error_barrier(pm_evidence *evidence, const struct pm_path *path, double distance);
 /* Tells the error of out[column], the value of the program at the frame, if it is known. */
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value);
+/* Accelerations and reactions at the frame, which looks into the step or at an instant. */
+int pm_path_error_accelerate(pm_workspace *w);
 
 /* A step has been sampled: how near to zero the functions come that do not fire by place. */
 void pm_path_error_sampled(pm_workspace *w);
 /* The margin of these in a pass; trigger_scale[ntrigger] natural sizes. */
 pm_closest pm_path_error_margin(const pm_model *model, const pm_pass *pass, const double *trigger_scale);
 
-/* Once per model: do places alone decide when what matters to the answers happens, but for events that are counted and no
- * more? */
+/* Once per model: do places alone, or the time alone, decide when what matters to the answers happens, but for events that are
+ * counted and no more? */
 int pm_path_error_by_places(const pm_model *m);
+
+/* ---- path_error_time.c: where the time sets an instant, or is asked ---- */
+/* Memory of a path that has been created. */
+int pm_path_aside_create(pm_workspace *w);
+/* Whether the time may have set the place at which it is asked. */
+int pm_path_aside_is_timed(const pm_workspace *w, int ask);
+/* The error of out[column] = value at the frame, which it has at that time; by_kinetic: what the error of T makes of it there. */
+double pm_path_aside_error(pm_workspace *w, int ask, int column, double value, double by_kinetic);
+/* s, of the time at the place at which the frame looks. */
+double pm_path_aside_clock(pm_workspace *w);
+/* See state/route.h. */
+double pm_path_aside_look(pm_workspace *w, int level, int on_time);
+void pm_path_aside_back(pm_workspace *w);
 
 #endif

@@ -263,10 +263,20 @@ double pm_path_clock_at(const pm_path *p, double s)
     return p->clock.t0 + (p->clock.late + p->clock.rate * elapsed(p, s));
 }
 
+double pm_path_clock_between(const pm_path *p, double from, double to)
+{
+    return p->clock.rate * (elapsed(p, to) - elapsed(p, from));
+}
+
+double pm_path_clock_left(const pm_path *p, double t, double s)
+{
+    const double late = p->clock.t0 - t + p->clock.rate * elapsed(p, s) + p->clock.late;
+    return fabs(late) <= PM_CLOCK_LATE * t ? late : 0; /* else it is not that step's end */
+}
+
 /* Compensated summation (Kahan): swings of a pendulum are rounded alike, each late in a long run to the same side. */
 void pm_path_clock_begin(pm_path *p, double t, double s)
 {
-    const double late = p->clock.t0 - t + p->clock.rate * elapsed(p, s) + p->clock.late;
-    p->clock.late = fabs(late) <= PM_CLOCK_LATE * t ? late : 0; /* else it is not that step's end */
+    p->clock.late = pm_path_clock_left(p, t, s);
     p->clock.t0 = t;
 }

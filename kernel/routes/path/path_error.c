@@ -2,22 +2,25 @@
  *
  * Places on a path carry no error but rounding; T does: it is rounded with the energies that make it, in every step, and
  * a blow that leaves m T_end leaves m times the error.  An answer f(place, T) is then known to |df/dT| dT, by a difference.
- * The time's error is that of its quadrature, and what T makes of it.  All this holds as long as places alone decide when
- * something happens; where speeds, forces or the time do, the run says nothing of its errors, and accuracy.c makes its
- * coarse run.  Events that speeds or forces fire may be counted, though: their functions are off by no more than their
- * natural size times dT / T, and their counts are right as long as none of their extremes lies that near to zero. */
+ * The time's error is that of its quadrature, and what T makes of it; what is asked at a time is late by it
+ * (path_error_time.c).  All this holds as long as places alone, or the time alone, decide when something happens; where
+ * speeds or forces do, the run says nothing of its errors, and accuracy.c makes its coarse run.  Events that speeds or forces
+ * fire may be counted, though: their functions are off by no more than their natural size times dT / T, and their counts are
+ * right as long as none of their extremes lies that near to zero. */
 #include "routes/path/path.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "elements/trigger.h"
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/event.h"
 #include "expression/program.h"
 #include "expression/program_class.h"
+#include "impact/action.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -118,6 +121,14 @@ static int only_watched(const pm_model *m, int event)
     return only_counted(m);
 }
 
+/* The time alone tells when it fires, and nothing comes of that but answers: no place goes with it. */
+static int fires_by_time(const pm_model *m, int trigger)
+{
+    const int event = PM_TRIGGER_ROW(m, trigger)[PM_TRIGGER_EVENT];
+    return pm_trigger_on_time(m, trigger) && PM_EVENT_ROW(m, event)[PM_EVENT_EFFECT] == PM_EFFECT_NONE &&
+           !pm_action_of(m, event) && !m->programs.watch_counts && !m->programs.wait_for_counts;
+}
+
 /* Places tell when a trigger fires, or sqrt(T) does and it fires where the motion reverses. */
 static int fires_by_place(const pm_model *m, const int32_t *e)
 {
@@ -131,7 +142,7 @@ int pm_path_error_by_places(const pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
-        if (!fires_by_place(m, e) && !only_watched(m, e[PM_TRIGGER_EVENT])) return 0;
+        if (!fires_by_place(m, e) && !fires_by_time(m, i) && !only_watched(m, e[PM_TRIGGER_EVENT])) return 0;
     }
     return 1;
 }
@@ -184,7 +195,8 @@ void pm_path_error_sampled(pm_workspace *w)
     if (!w->evidence.active || !w->evidence.by_places) return;
     for (int i = 0; i < e->nfunction; i++) {
         const pm_event_function *f = &e->function[i];
-        if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)))
+        if (f->kind != FUNCTION_TRIGGER || fires_by_place(w->model, PM_TRIGGER_ROW(w->model, f->index)) ||
+            pm_trigger_on_time(w->model, f->index)) /* the time has no extremes */
             continue;
         if (f->every)
             w->evidence.present->unsure = 1;
@@ -193,8 +205,9 @@ void pm_path_error_sampled(pm_workspace *w)
     }
 }
 
-/* Gaps, and times since a jump, are values without a trigger: known as the time is at instants that it sets. */
-static int is_told_here(const pm_model *model, const pm_evidence_decision *x)
+/* Gaps, and times since a jump, are values without a trigger: known as T is.  Of the place alone, and at a time besides, a
+ * value is known as the time is. */
+static int goes_with_energy(const pm_model *model, const pm_evidence_decision *x)
 {
     if (x->trigger == PM_NONE) return x->kind == PM_EVIDENCE_VALUE;
     return x->kind != PM_EVIDENCE_RATE && !fires_by_place(model, PM_TRIGGER_ROW(model, x->trigger));
@@ -208,9 +221,10 @@ pm_closest pm_path_error_margin(const pm_model *model, const pm_pass *pass, cons
     pm_closest closest = {INFINITY, NULL, PM_NONE};
     for (int i = 0; i < pass->log.n; i++) {
         const pm_evidence_decision *x = &pass->log.entry[i];
-        if (!is_told_here(model, x)) continue;
+        const int by_energy = goes_with_energy(model, x);
+        if (!by_energy && x->error == 0) continue;
         const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
-        const double margin = fabs(x->distance) / (unit * relative);
+        const double margin = fabs(x->distance) / ((by_energy ? unit * relative : 0) + x->error);
         if (pm_evidence_is_open(x, unit) && margin < closest.margin)
             closest = (pm_closest){margin, x, PM_NONE};
     }
@@ -229,21 +243,21 @@ static void shift_velocities(pm_frame *frame, double factor)
     for (int i = 0; i < frame->model->nq; i++) frame->velocity[i] = factor * frame->v[i];
 }
 
-/* The error of the clock in a program that reads nothing but the time, linearly; segments passed over do not tell it. */
-static double error_of_time(pm_workspace *w, int program, double value)
+/* The error of the clock in a program that reads nothing but the time, linearly; a given time has none. */
+static double error_of_time(pm_workspace *w, int ask, int program, double value)
 {
     pm_frame *f = &w->frame;
-    const double t = f->t, shift = pm_max(w->path->clock.error, t);
-    if (w->result.count[PM_COUNT_REPEATED_SEGMENTS] > 0) return NAN;
+    if (pm_path_aside_is_timed(w, ask) && !pm_model_ask_is_extreme(PM_ASK_ROW(w->model, ask))) return 0;
+    const double t = f->t, error = pm_path_aside_clock(w), shift = pm_max(error, t);
     if (!(shift > 0)) return 0;
     f->t = t + shift;
     const double changed = pm_program_run(w, program);
     f->t = t;
-    return fabs(changed - value) / shift * w->path->clock.error;
+    return fabs(changed - value) / shift * error;
 }
 
 /* Inside a step nothing has jumped, and the route knows its own way. */
-static int accelerate(pm_workspace *w)
+int pm_path_error_accelerate(pm_workspace *w)
 {
     return w->frame.q == w->probe.q ? pm_path_react(w) : pm_saddle_accelerate(w);
 }
@@ -274,10 +288,11 @@ static double error_of_motion(pm_workspace *w, int program, double value)
 {
     const double kinetic = pm_frame_kinetic(&w->frame, PM_NONE);
     const int dynamic = w->model->programs.level[program] == PM_LEVEL_DYNAMIC;
+    if (w->model->programs.energy[program] == PM_ENERGY_CLASS_NONE) return 0;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);
     shift_velocities(&w->frame, 1 + PM_ERROR_FASTER);
-    const int failed = dynamic && accelerate(w);
+    const int failed = dynamic && pm_path_error_accelerate(w);
     const double changed = pm_program_run(w, program);
     shift_velocities(&w->frame, 1);
     if (dynamic) put_back(w, w->scratch);
@@ -286,13 +301,22 @@ static double error_of_motion(pm_workspace *w, int program, double value)
                : fabs(changed - value) / (2 * PM_ERROR_FASTER * kinetic) * error_of_kinetic(w->path, kinetic);
 }
 
+static double error_of_state(pm_workspace *w, int ask, int column, double value)
+{
+    const int program = PM_ASK_ROW(w->model, ask)[PM_ASK_PROGRAM];
+    if (w->model->programs.class[program] == PM_CLASS_CONSTANT) return 0;
+    const double by_kinetic = error_of_motion(w, program, value);
+    return pm_path_aside_is_timed(w, ask) ? pm_path_aside_error(w, ask, column, value, by_kinetic)
+                                          : by_kinetic;
+}
+
 /* Asked where another value has its extreme (a count has it where it is counted), or one of a list, and that goes with T: what T
- * and rounding make of the place the run does not tell. */
+ * and rounding make of the place the run does not tell, unless it is the time that is listed. */
 static int is_at_other(const pm_model *m, int ask)
 {
     const int32_t *row = PM_ASK_ROW(m, ask);
     if (pm_ask_at_extreme(row)) return !pm_program_class_is_discrete(m, row[PM_ASK_PROGRAM_2]);
-    return row[PM_ASK_KIND] == PM_ASK_GRID &&
+    return row[PM_ASK_KIND] == PM_ASK_GRID && m->programs.class[row[PM_ASK_PROGRAM_2]] != PM_CLASS_TIME &&
            m->programs.energy[row[PM_ASK_PROGRAM_2]] != PM_ENERGY_CLASS_NONE;
 }
 
@@ -302,12 +326,9 @@ void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, dou
     if (!w->evidence.active || !w->evidence.by_places ||
         w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH || is_at_other(m, ask))
         return;
-    double error;
-    if (isnan(value) || m->programs.energy[program] == PM_ENERGY_CLASS_NONE || w->evidence.discrete[ask])
-        error = 0; /* but for rounding; integers have the margin of their decisions */
-    else if (m->programs.class[program] == PM_CLASS_TIME)
-        error = error_of_time(w, program, value);
-    else
-        error = error_of_motion(w, program, value);
+    double error = 0; /* but for rounding; integers have the margin of their decisions */
+    if (!isnan(value) && !w->evidence.discrete[ask])
+        error = m->programs.class[program] == PM_CLASS_TIME ? error_of_time(w, ask, program, value)
+                                                            : error_of_state(w, ask, column, value);
     pm_evidence_answer(&w->evidence, column, error);
 }

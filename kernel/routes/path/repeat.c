@@ -72,7 +72,7 @@ static int repeat(pm_workspace *w, double kinetic, int *passed)
         return PM_OK;
     l->work = steady ? 0 : pm_repeat_energy_work(w);
     l->ratio = steady ? 1 : kinetic / l->before;
-    const double time = in_time ? w->state.t - l->begin.t : 0;
+    const double time = in_time ? pm_repeat_pass_time(w, l) : 0;
     const int64_t most = pm_repeat_limit(w, l, &shift, time);
     if (steady && most == PM_REPEAT_FOR_EVER) return pm_repeat_limit_never(w);
     w->path->repeats = !w->phase.lap && l->steps == 1;
@@ -94,6 +94,7 @@ static void remember(pm_workspace *w)
     pm_state_copy(&l->begin, &w->state);
     l->kinetic = l->before = pm_frame_kinetic(&w->frame, PM_NONE);
     l->ends_by_force = 0;
+    pm_repeat_pass_begin(w, l);
     memcpy(l->count, w->result.count, sizeof l->count);
     memcpy(l->event_count, w->firing.count, (size_t)w->model->rows[PM_TABLE_EVENT] * sizeof *l->event_count);
     l->known = 1;

@@ -22,8 +22,10 @@ void pm_repeat_end(pm_workspace *w);
 
 /* The last segment, which was computed, and what leads from one to the next. */
 typedef struct pm_repeat {
-    int known;         /* `begin` is the begin of the last segment */
-    pm_state begin;    /* of it */
+    int known;      /* `begin` is the begin of the last segment */
+    pm_state begin; /* of it */
+    double late, unresolved,
+        clock; /* s, of the path's clock there: what rounding has left out, what its nodes leave out, its error */
     double kinetic;    /* J, T there */
     double before;     /* J, T at its end, before the blow */
     double lowest;     /* J, least T on it */
@@ -69,6 +71,10 @@ int pm_repeat_limit_read_sides(pm_workspace *w);
 int64_t pm_repeat_limit_instants(const pm_workspace *w, const pm_repeat *l);
 /* How often an event has fired since the begin of the last segment. */
 int64_t pm_repeat_limit_fires(const pm_firing *firing, const pm_repeat *repeat, int event);
+
+/* The path's clock at w->state, where segment l begins; how long it has taken since then, s. */
+void pm_repeat_pass_begin(const pm_workspace *w, pm_repeat *l);
+double pm_repeat_pass_time(const pm_workspace *w, const pm_repeat *l);
 
 /* The status of a run that does not end. */
 int pm_repeat_limit_never(pm_workspace *w);

@@ -1,6 +1,6 @@
 /* repeat_pass.c - moves the run on by n segments at once.
  *
- *   q += n b,    v *= sqrt(T_n / T),    t += n t_leg,    integrals and counts of a segment n times
+ *   q += n b,    v *= sqrt(T_n / T),    t += n t_leg,    integrals, counts and the error of a segment's time n times
  *
  * The ledger of momentum takes what the outer world has given: the difference of momenta. */
 #include <math.h>
@@ -46,6 +46,30 @@ static void count_segments(pm_workspace *w, const pm_repeat *l, int64_t segments
     w->result.count[PM_COUNT_REPEATED_SEGMENTS] += segments;
 }
 
+/* The clock's are of another run where no phase has begun. */
+void pm_repeat_pass_begin(const pm_workspace *w, pm_repeat *l)
+{
+    const pm_path *p = w->path;
+    const int begun = w->result.count[PM_COUNT_PHASES] > 0;
+    l->late = begun ? pm_path_clock_left(p, w->state.t, w->step.end / p->h) : 0;
+    l->unresolved = begun ? p->clock.unresolved : 0;
+    l->clock = begun ? p->clock.error : 0;
+}
+
+double pm_repeat_pass_time(const pm_workspace *w, const pm_repeat *l)
+{
+    const pm_path *p = w->path;
+    return w->state.t - l->begin.t + (pm_path_clock_left(p, w->state.t, w->step.end / p->h) - l->late);
+}
+
+/* All of them err alike. */
+static void move_clock(pm_path *p, const pm_repeat *l, int64_t segments)
+{
+    const double n = (double)segments;
+    p->clock.unresolved += n * (p->clock.unresolved - l->unresolved);
+    p->clock.error += n * (p->clock.error - l->clock);
+}
+
 int pm_repeat_pass(pm_workspace *w, const pm_repeat *l, const pm_repeats *segments, double kinetic,
                    double time)
 {
@@ -53,6 +77,7 @@ int pm_repeat_pass(pm_workspace *w, const pm_repeat *l, const pm_repeats *segmen
     pm_frame_momentum(&w->frame, PM_NONE, momentum);
     move_state(w, l, segments->n, kinetic > 0 ? sqrt(segments->kinetic / kinetic) : 1, time);
     count_segments(w, l, segments->n, time);
+    if (time > 0) move_clock(w->path, l, segments->n);
     w->ledger.energy_lost += segments->lost;
     w->path->error = segments->error;
     w->path->ended = 0; /* the error is that at the begin of the segment that follows */

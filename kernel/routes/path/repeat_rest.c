@@ -85,27 +85,19 @@ static void remember(pm_workspace *w, int most)
     rest->most = most;
     rest->driver = p->driver;
     rest->place = p->begin.y[p->driver];
-    const int begun = w->result.count[PM_COUNT_PHASES] > 0; /* else the clock's are of another run */
-    rest->late = begun ? p->clock.late : 0;
-    rest->unresolved = begun ? p->clock.unresolved : 0;
-    rest->clock = begun ? p->clock.error : 0;
+    pm_repeat_pass_begin(w, l);
 }
 
 static int pass(pm_workspace *w, int *passed)
 {
-    pm_path *p = w->path;
     const pm_rest *rest = w->repeat->rest;
     const pm_symmetry_shift none = {{0, 0}, rest->period.rotation};
-    const double time =
-        w->model->programs.read_time ? w->state.t - rest->period.begin.t + (p->clock.late - rest->late) : 0;
+    const double time = w->model->programs.read_time ? pm_repeat_pass_time(w, &rest->period) : 0;
     const int64_t most = pm_repeat_limit(w, &rest->period, &none, time);
     if (most == PM_REPEAT_FOR_EVER) return pm_repeat_limit_never(w);
     if (most < 1) return PM_OK;
-    const double n = (double)most;
     *passed = 1;
-    p->clock.unresolved += n * (p->clock.unresolved - rest->unresolved);
-    p->clock.error += n * (p->clock.error - rest->clock);
-    const pm_repeats periods = {.n = most, .error = p->error};
+    const pm_repeats periods = {.n = most, .error = w->path->error};
     return pm_repeat_pass(w, &rest->period, &periods, 0, time);
 }
 

@@ -10,8 +10,6 @@ typedef struct pm_rest {
     int seen, most;   /* places of rest since then; so many are compared with it */
     int driver;       /* of the path */
     double place;     /* its value there */
-    double late, unresolved,
-        clock; /* s, of the path's clock: what it makes up for, what its nodes leave out, its error */
 } pm_rest;
 
 /* Memory of it, w->repeat->rest; PM_NO_MEMORY. */

@@ -76,7 +76,7 @@ static int create(pm_workspace *w)
     for (int k = 0; k < PM_NODES_MOST; k++) place = carve(m, &p->node[k], place);
     carve(m, &p->begin, carve(m, &p->spare, place));
     pm_path_clock_fill_table(&p->clock.table);
-    return PM_OK;
+    return pm_path_aside_create(w);
 }
 
 /* ---- a phase ---- */
@@ -336,6 +336,8 @@ const pm_route_ops pm_route_path = {
     .react = pm_path_react,
     .sampled = pm_path_error_sampled,
     .error_of = pm_path_error_answer,
+    .beside = pm_path_aside_look,
+    .back = pm_path_aside_back,
     .accelerate = pm_path_bridge_accelerate,
     .in_time = 0,
     .meets_places = 1,
