@@ -126,6 +126,7 @@ void pm_path_aside_back(pm_workspace *w)
 
 /* From the state that is looked at to the one beside. */
 typedef struct pm_path_beside {
+    double way;           /* of the driver */
     double dt;            /* s */
     double before, after; /* J, T here and there */
     double late;          /* s, dt' - dt */
@@ -148,6 +149,7 @@ static int look_beside(pm_workspace *w, pm_path_beside *x)
     const double t = w->frame.t, here = place_in_step(w), there = beside(p, here);
     if (isnan(here) || p->clock.kind == PM_CLOCK_NONE) return 0;
     x->before = p->ended > 0 ? p->ended : pm_frame_kinetic(&w->frame, PM_NONE); /* before a blow */
+    x->way = fabs(there - here);
     x->dt = fabs(pm_path_clock_between(p, here / p->h, there / p->h));
     swap_frame(w);
     p->aside.own.level = PM_LEVEL_KINEMATIC;
@@ -195,13 +197,11 @@ static double likely_error(const pm_workspace *w)
            pm_max(PM_ERROR_LIKELY, few) * (c->error - c->unresolved);
 }
 
-/* J: T at the place that the frame looked at is rounded by itself, as the energies that make it. */
+/* J: T at the place that the frame looked at is rounded by itself, as the energies that make it and the place. */
 static double rounded_kinetic(const pm_path *p, const pm_path_beside *x)
 {
-    double most = 0;
-    if (!p->by_work) return PM_ERROR_ENERGY_ROUNDINGS * (fabs(p->energy) + fabs(p->energy - x->before));
-    for (int k = 0; k < p->nodes->n; k++) most = pm_max(p->node[k * p->every].kinetic, most);
-    return PM_ERROR_ENERGY_ROUNDINGS * most;
+    const double of_place = fabs(x->after - x->before) / x->way * (fabs(p->u0) + p->h);
+    return PM_ERROR_ENERGY_ROUNDINGS * (fabs(p->energy) + fabs(p->energy - x->before) + of_place);
 }
 
 /* How far the frame is in the time from where the program, of the time alone, has this value, s. */
