@@ -323,6 +323,7 @@ static int is_at_other(const pm_model *m, int ask)
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value)
 {
     const pm_model *m = w->model;
+    if (w->evidence.seeks) return; /* what is sought errs, and all with it: two finds are compared */
     if (!w->evidence.active || !w->evidence.by_places ||
         w->result.count[PM_COUNT_ROUTES] != (int64_t)1 << PM_ROUTE_PATH || is_at_other(m, ask))
         return;
