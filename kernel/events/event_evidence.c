@@ -200,12 +200,13 @@ static int is_on_time(const pm_model *m, const pm_event_function *f)
     return f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index);
 }
 
-/* It has gone through zero in the step unseen: the dense output told the order of two zeros otherwise than exact states do.  (What
- * fired and was left since then is on the side where it was left.) */
+/* It has gone through zero in the step unseen: the dense output told the order of two zeros otherwise than exact states do.  Neither
+ * the side on which the step began nor the one where it was left since it fired is its side now. */
 static int has_passed(const pm_event_function *f, double distance)
 {
-    const double before = f->left != 0 ? f->left : f->side;
-    return f->kind == FUNCTION_TRIGGER && !f->every && !f->held && pm_event_way_crosses(f, before, distance);
+    if (f->kind != FUNCTION_TRIGGER || f->every || f->held || (f->side == 0 && f->left == 0)) return 0;
+    return (f->side == 0 || pm_event_way_crosses(f, f->side, distance)) &&
+           (f->left == 0 || pm_event_way_crosses(f, f->left, distance));
 }
 
 /* What the error of the time makes of the distance, where the route knows that. */
