@@ -6,7 +6,7 @@ FAULTS = [
     Fault(
         "path: what is asked at a time is not late",
         "routes/path/path_error_time.c",
-        "double error = by_kinetic + rate * (dt + x.late);",
+        "double error = by_kinetic + fabs(all) / x.dt * (dt + x.late);",
         "double error = by_kinetic;",
     ),
     Fault(

@@ -229,6 +229,14 @@ static double off_by(pm_workspace *w, int ask, int column)
     return off;
 }
 
+/* What the time dt makes of a value next to rest, that changes by `all` to the state beside, by `along` of it with the place alone:
+ * the speed goes as the time, the place as speed dt + acceleration dt^2 / 2. */
+static double by_time(const pm_path_beside *x, double all, double along, double dt)
+{
+    const double s = sqrt(x->before / x->after), r = dt / x->dt;
+    return fabs(along * (2 * s * r + fabs(1 - s) * r * r) / (1 + s) + (all - along) * r);
+}
+
 double pm_path_aside_error(pm_workspace *w, int ask, int column, double value, double by_kinetic)
 {
     const int program = PM_ASK_ROW(w->model, ask)[PM_ASK_PROGRAM];
@@ -236,13 +244,14 @@ double pm_path_aside_error(pm_workspace *w, int ask, int column, double value, d
     pm_path_beside x;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !look_beside(w, &x)) return NAN;
     const double dt = likely_error(w) + PM_ERROR_TIME_ROUNDINGS * fabs(w->frame.t) + off_by(w, ask, column);
-    const double rate = fabs(value_at(w, program, 1) - value) / x.dt;
-    double error = by_kinetic + rate * (dt + x.late);
+    const double all = value_at(w, program, 1) - value;
+    double error = by_kinetic + fabs(all) / x.dt * (dt + x.late);
     if (p->clock.kind != PM_CLOCK_PLAIN && x.after > 0) {
-        const double along = fabs(value_at(w, program, sqrt(x.before / x.after)) - value);
-        const double by_place = along * p->error / fabs(x.after - x.before),
+        const double along = value_at(w, program, sqrt(x.before / x.after)) - value;
+        const double by_place = fabs(along) * p->error / fabs(x.after - x.before),
                      by_rounding = x.before > 0 ? by_kinetic * fmin(rounded_kinetic(p, &x) / p->error, 1) : 0;
-        error = fmin(error, by_place + by_rounding + rate * dt);
+        error = fmin(by_kinetic + by_time(&x, all, along, dt + x.late),
+                     by_place + by_rounding + by_time(&x, all, along, dt));
     }
     pm_path_aside_back(w);
     return error;
