@@ -72,15 +72,29 @@ int pm_trigger_on_time(const pm_model *model, int trigger)
            model->programs.class[e[PM_TRIGGER_PROGRAM]] == PM_CLASS_TIME;
 }
 
-/* Where p(t) goes through zero, or INFINITY: it is a straight line, of which values now and one time unit later tell where,
- * and which way. */
+int pm_trigger_time_is_due(const pm_workspace *w)
+{
+    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
+        if (w->firing.fired[i] && pm_trigger_on_time(w->model, i)) return 1;
+    return 0;
+}
+
+double pm_trigger_time_slope(pm_workspace *w, int program, double here)
+{
+    const double now = w->frame.t, unit = fmax(1, fabs(now));
+    w->frame.t = now + unit;
+    const double slope = (pm_program_run(w, program) - here) / unit;
+    w->frame.t = now;
+    return slope;
+}
+
+/* Where p(t) goes through zero, or INFINITY. */
 static double root_of(pm_workspace *w, int trigger)
 {
     const int kind = PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_KIND];
-    const double now = w->frame.t, here = pm_trigger_program(w, trigger), unit = fmax(1, fabs(now));
-    w->frame.t = now + unit;
-    const double slope = (pm_trigger_program(w, trigger) - here) / unit;
-    w->frame.t = now;
+    const double now = w->frame.t, here = pm_trigger_program(w, trigger),
+                 slope =
+                     pm_trigger_time_slope(w, PM_TRIGGER_ROW(w->model, trigger)[PM_TRIGGER_PROGRAM], here);
     if (slope == 0 || (kind == PM_TRIGGER_RISE && slope < 0) || (kind == PM_TRIGGER_FALL && slope > 0))
         return INFINITY;
     double due = now - here / slope;

@@ -22,6 +22,11 @@ double pm_trigger_time(const pm_firing *firing, int event);
 double pm_trigger_program(pm_workspace *w, int trigger);
 /* The trigger's program depends on time alone, and linearly: it needs no watching. */
 int pm_trigger_on_time(const pm_model *model, int trigger);
+/* One of these has fired at this instant. */
+int pm_trigger_time_is_due(const pm_workspace *w);
+/* By s, of a program of the time alone, whose value is `here` where the frame looks: it is a straight line, of which values now and
+ * one time unit later tell which way it goes. */
+double pm_trigger_time_slope(pm_workspace *w, int program, double here);
 /* Sides of the switches of forces (PM_EFFECT_SWITCH), and pieces of tables (PM_EFFECT_PIECE), by the frame: as the run begins;
  * after a jump, from the values in firing.before. */
 void pm_trigger_take_sides(pm_workspace *w);

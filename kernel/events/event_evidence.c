@@ -44,10 +44,15 @@ static int is_of_force(const pm_workspace *w, const pm_event_function *f)
     return pm_trigger_of_switch(w->model, f->index) || pm_trigger_is_of_piece(w->model, f->index);
 }
 
+static int is_on_time(const pm_model *m, const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index);
+}
+
 /* A time of the scene comes whether the motion turns back there or not. */
 static int is_no_decision(const pm_workspace *w, const pm_event_function *f)
 {
-    return is_of_force(w, f) || (f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(w->model, f->index));
+    return is_of_force(w, f) || is_on_time(w->model, f);
 }
 
 void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
@@ -121,13 +126,6 @@ static int did_not_fire(const pm_workspace *w, int i, int marks)
 }
 
 /* ---- times of the scene and jumps ---- */
-static int time_is_due(const pm_workspace *w)
-{
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (w->firing.fired[i] && pm_trigger_on_time(w->model, i)) return 1;
-    return 0;
-}
-
 /* What touches may have been met although its own zero was not found. */
 int pm_event_evidence_located(const pm_workspace *w)
 {
@@ -157,7 +155,7 @@ static void take_time_since_jump(pm_workspace *w)
 void pm_event_evidence_jump(pm_workspace *w)
 {
     w->firing.jumped = w->state.t;
-    if (time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);
+    if (pm_trigger_time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);
 }
 
 /* ---- an instant ---- */
@@ -193,11 +191,6 @@ static int only_reverses(const pm_workspace *w)
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) any |= w->firing.fired[i] != 0;
     for (int i = 0; i < w->event->nfunction; i++) any |= w->event->hit[i];
     return !any;
-}
-
-static int is_on_time(const pm_model *m, const pm_event_function *f)
-{
-    return f->kind == FUNCTION_TRIGGER && pm_trigger_on_time(m, f->index);
 }
 
 /* It has gone through zero in the step unseen: the dense output told the order of two zeros otherwise than exact states do.  Neither
@@ -247,7 +240,7 @@ void pm_event_evidence_instant(pm_workspace *w, int marks)
         take_nearest(w, i);
         take_value(w, i, marks);
     }
-    if (isfinite(w->firing.jumped) && time_is_due(w)) take_time_since_jump(w);
+    if (isfinite(w->firing.jumped) && pm_trigger_time_is_due(w)) take_time_since_jump(w);
 }
 
 /* Next to which node a foot on a curve is says nothing; at which end it is does. */

@@ -237,7 +237,7 @@ FAULTS = [
     Fault(
         "ties: a blow at the end is none",
         "events/event_evidence.c",
-        "if (time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);",
+        "if (pm_trigger_time_is_due(w)) pm_evidence_ties(&w->evidence, w->state.t);",
         "",
     ),
     Fault(

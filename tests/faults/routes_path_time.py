@@ -6,8 +6,8 @@ FAULTS = [
     Fault(
         "path: what is asked at a time is not late",
         "routes/path/path_error_time.c",
-        "double error = by_kinetic + fabs(all) / x.dt * (dt + x.late);",
-        "double error = by_kinetic;",
+        ": by_kinetic + fabs(all) / x.dt * (dt + x.late);",
+        ": by_kinetic;",
     ),
     Fault(
         "path: periods that are passed over do not err in time",

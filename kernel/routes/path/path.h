@@ -235,8 +235,6 @@ void pm_path_error_step(pm_workspace *w, double kinetic);
 void pm_path_error_barrier(pm_evidence *evidence, const struct pm_path *path, double distance);
 /* Tells the error of out[column], the value of the program at the frame, if it is known. */
 void pm_path_error_answer(pm_workspace *w, int ask, int column, int program, double value);
-/* Accelerations and reactions at the frame, which looks into the step or at an instant. */
-int pm_path_error_accelerate(pm_workspace *w);
 
 /* A step has been sampled: how near to zero the functions come that do not fire by place. */
 void pm_path_error_sampled(pm_workspace *w);

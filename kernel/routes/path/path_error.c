@@ -257,7 +257,7 @@ static double error_of_time(pm_workspace *w, int ask, int program, double value)
 }
 
 /* Inside a step nothing has jumped, and the route knows its own way. */
-int pm_path_error_accelerate(pm_workspace *w)
+static int accelerate(pm_workspace *w)
 {
     return w->frame.q == w->probe.q ? pm_path_react(w) : pm_saddle_accelerate(w);
 }
@@ -292,7 +292,7 @@ static double error_of_motion(pm_workspace *w, int program, double value)
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !(kinetic > 0)) return NAN;
     if (dynamic) set_aside(w, w->scratch);
     shift_velocities(&w->frame, 1 + PM_ERROR_FASTER);
-    const int failed = dynamic && pm_path_error_accelerate(w);
+    const int failed = dynamic && accelerate(w);
     const double changed = pm_program_run(w, program);
     shift_velocities(&w->frame, 1);
     if (dynamic) put_back(w, w->scratch);

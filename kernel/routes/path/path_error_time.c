@@ -50,13 +50,6 @@ int pm_path_aside_create(pm_workspace *w)
 }
 
 /* ---- what the time has set ---- */
-static int is_due(const pm_workspace *w)
-{
-    for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++)
-        if (w->firing.fired[i] && pm_trigger_on_time(w->model, i)) return 1;
-    return 0;
-}
-
 static int may_be_due(const pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++)
@@ -72,7 +65,7 @@ int pm_path_aside_is_timed(const pm_workspace *w, int ask)
     if (row[PM_ASK_KIND] == PM_ASK_GRID)
         return w->model->programs.class[row[PM_ASK_PROGRAM_2]] == PM_CLASS_TIME;
     if (pm_model_ask_is_extreme(row)) return !(w->path->ended > 0) && may_be_due(w->model);
-    return is_due(w);
+    return pm_trigger_time_is_due(w);
 }
 
 /* ---- the state beside ---- */
@@ -207,11 +200,8 @@ static double rounded_kinetic(const pm_path *p, const pm_path_beside *x)
 /* How far the frame is in the time from where the program, of the time alone, has this value, s. */
 static double off_from(pm_workspace *w, int program, double wanted)
 {
-    const double t = w->frame.t, by = fmax(t, 1), here = pm_program_run(w, program);
-    w->frame.t = t + by;
-    const double slope = (pm_program_run(w, program) - here) / by;
-    w->frame.t = t;
-    return fabs((here - wanted) / slope);
+    const double here = pm_program_run(w, program);
+    return fabs((here - wanted) / pm_trigger_time_slope(w, program, here));
 }
 
 /* How far it is from the time that it stands for, s. */
@@ -237,22 +227,28 @@ static double by_time(const pm_path_beside *x, double all, double along, double 
     return fabs(along * (2 * s * r + fabs(1 - s) * r * r) / (1 + s) + (all - along) * r);
 }
 
+/* In a step that begins or ends at rest; dt: the error of the time, s. */
+static double error_near_rest(pm_workspace *w, int program, double value, double by_kinetic,
+                              const pm_path_beside *x, double all, double dt)
+{
+    const pm_path *p = w->path;
+    const double along = value_at(w, program, sqrt(x->before / x->after)) - value,
+                 by_place = fabs(along) * p->error / fabs(x->after - x->before),
+                 by_rounding = x->before > 0 ? by_kinetic * fmin(rounded_kinetic(p, x) / p->error, 1) : 0;
+    return fmin(by_kinetic + by_time(x, all, along, dt + x->late),
+                by_place + by_rounding + by_time(x, all, along, dt));
+}
+
 double pm_path_aside_error(pm_workspace *w, int ask, int column, double value, double by_kinetic)
 {
     const int program = PM_ASK_ROW(w->model, ask)[PM_ASK_PROGRAM];
-    const pm_path *p = w->path;
     pm_path_beside x;
     if (w->model->programs.energy[program] == PM_ENERGY_CLASS_UNKNOWN || !look_beside(w, &x)) return NAN;
     const double dt = likely_error(w) + PM_ERROR_TIME_ROUNDINGS * fabs(w->frame.t) + off_by(w, ask, column);
     const double all = value_at(w, program, 1) - value;
-    double error = by_kinetic + fabs(all) / x.dt * (dt + x.late);
-    if (p->clock.kind != PM_CLOCK_PLAIN && x.after > 0) {
-        const double along = value_at(w, program, sqrt(x.before / x.after)) - value;
-        const double by_place = fabs(along) * p->error / fabs(x.after - x.before),
-                     by_rounding = x.before > 0 ? by_kinetic * fmin(rounded_kinetic(p, &x) / p->error, 1) : 0;
-        error = fmin(by_kinetic + by_time(&x, all, along, dt + x.late),
-                     by_place + by_rounding + by_time(&x, all, along, dt));
-    }
+    const double error = w->path->clock.kind != PM_CLOCK_PLAIN && x.after > 0
+                             ? error_near_rest(w, program, value, by_kinetic, &x, all, dt)
+                             : by_kinetic + fabs(all) / x.dt * (dt + x.late);
     pm_path_aside_back(w);
     return error;
 }
@@ -267,7 +263,7 @@ static double is_unsure(pm_workspace *w)
 double pm_path_aside_look(pm_workspace *w, int level, int on_time)
 {
     pm_path_beside x;
-    if (!w->evidence.active || !w->evidence.by_places || is_due(w) == on_time) return 0;
+    if (!w->evidence.active || !w->evidence.by_places || pm_trigger_time_is_due(w) == on_time) return 0;
     if (w->result.count[PM_COUNT_STEPS] == 0) return 0; /* the start is at its time */
     if (w->evidence.present->log.stride > 1 || !look_beside(w, &x)) return is_unsure(w);
     if (on_time) w->frame.t += x.dt;
