@@ -250,7 +250,7 @@ pm_constraint_reach pm_constraint_reach_of(const pm_constraint *c, const pm_mark
 
 /* ---- marks: points, lines and circles of the tables, with the numbers of the case (constraint_marks.c) ---- */
 /* A constraint of a kind that belongs to nothing yet. */
-pm_constraint pm_constraint_marks_blank(int kind);
+void pm_constraint_marks_blank(pm_constraint *c, int kind);
 
 void pm_constraint_marks_points(const pm_frame *frame, pm_constraint *c, int a, int b);
 void pm_constraint_marks_point_and_line(const pm_frame *frame, pm_constraint *c, int point, int line);

@@ -7,14 +7,12 @@
 #include "elements/constraint.h"
 #include "state/workspace.h"
 
-pm_constraint pm_constraint_marks_blank(int kind)
+void pm_constraint_marks_blank(pm_constraint *c, int kind)
 {
-    pm_constraint c;
-    memset(&c, 0, sizeof c);
-    c.kind = kind;
-    c.sign = c.ratio = 1;
-    c.memory = c.curve = c.foot = c.other = c.joint = c.slot = c.normal = c.drive = PM_NONE;
-    return c;
+    memset(c, 0, sizeof *c);
+    c->kind = kind;
+    c->sign = c->ratio = 1;
+    c->memory = c->curve = c->foot = c->other = c->joint = c->slot = c->normal = c->drive = PM_NONE;
 }
 
 static void mark(const pm_frame *frame, int point, int *body, double at[2])

@@ -1,5 +1,4 @@
-/* contact.c - gaps of potential contacts.  A pattern has members k = .. -1, 0, 1 ..: the gap of a circle to a member
- * grows with |k - k0|, k0 its place along the pattern, so the nearest open member is the first open one below or above k0. */
+/* contact.c - gaps of potential contacts; those to a pattern: contact_pattern.c. */
 #include "elements/contact.h"
 
 #include <math.h>
@@ -7,6 +6,7 @@
 #include "elements/capture.h"
 #include "elements/constraint.h"
 #include "elements/contact_curve.h"
+#include "elements/contact_pattern.h"
 #include "elements/edge.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -140,22 +140,6 @@ static double meeting_gap(const pm_frame *frame, int contact, double *rate)
     return distance;
 }
 
-/* Of a circle and a point of a pattern, as constraint_distance.c has it. */
-static double point_gap(const pm_frame *frame, int contact, int member, double *rate)
-{
-    const pm_constraint *c = &frame->numbers->of_contact[contact]; /* with member 0 */
-    const int32_t *pattern =
-        PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
-    const pm_point a = pm_frame_point(frame, c->body[0], c->a[0], c->a[1]);
-    const pm_point b = pm_frame_point(frame, c->body[1],
-                                      c->b[0] + member * frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
-                                      c->b[1] + member * frame->numbers->value[pattern[PM_PATTERN_STEP_Y]]);
-    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]}, u[2] = {a.v[0] - b.v[0], a.v[1] - b.v[1]};
-    const double distance = pm_length(d);
-    if (rate) *rate = pm_dot(u, d) / distance;
-    return distance - c->radius_a;
-}
-
 /* By the constraint with the numbers of the case, if its kind and that member need no other. */
 static const pm_constraint_ops *ops_of_gap(const pm_model *m, const pm_constraint *c, int contact, int member)
 {
@@ -168,7 +152,8 @@ double pm_contact_member_gap(const pm_frame *frame, int contact, int member, dou
     const pm_constraint *own = &frame->numbers->of_contact[contact];
     if (pm_contact_is_plain(frame->model, contact)) return plain_gap(frame, contact, rate);
     if (pm_capture_is_meeting(frame->model, contact)) return meeting_gap(frame, contact, rate);
-    if (pm_contact_is_pattern(frame->model, contact)) return point_gap(frame, contact, member, rate);
+    if (pm_contact_is_pattern(frame->model, contact))
+        return pm_contact_pattern_member_gap(frame, contact, member, rate);
     const pm_constraint_ops *ops = ops_of_gap(frame->model, own, contact, member);
     if (ops) return ops->gap(frame, own, rate);
     pm_constraint normal;
@@ -186,134 +171,6 @@ double pm_contact_member_slip(const pm_frame *frame, int contact, int member)
     return pm_constraint_slip(frame, &tangent);
 }
 
-/* Where a mark of a body is. */
-static inline void place_of(const double *pose, const double mark[2], double p[2])
-{
-    p[0] = pose[0] + (pose[3] * mark[0] - pose[4] * mark[1]);
-    p[1] = pose[1] + (pose[4] * mark[0] + pose[3] * mark[1]);
-}
-
-pm_beside pm_contact_beside(const pm_frame *frame, int contact)
-{
-    const pm_constraint *of = &frame->numbers->of_contact[contact]; /* with member 0 */
-    const int32_t *pattern =
-        PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
-    const double *axes = frame->pose + 5 * of->body[1];
-    double c[2], first[2];
-    place_of(frame->pose + 5 * of->body[0], of->a, c);
-    place_of(axes, of->b, first);
-    const double sx = frame->numbers->value[pattern[PM_PATTERN_STEP_X]],
-                 sy = frame->numbers->value[pattern[PM_PATTERN_STEP_Y]];
-    return (pm_beside){.d = {c[0] - first[0], c[1] - first[1]},
-                       .step = {axes[3] * sx - axes[4] * sy, axes[4] * sx + axes[3] * sy},
-                       .radius = of->radius_a};
-}
-
-/* As constraint_distance.c has it. */
-double pm_contact_gap_beside(const pm_beside *x, int member)
-{
-    const double d[2] = {x->d[0] - member * x->step[0], x->d[1] - member * x->step[1]};
-    return pm_length(d) - x->radius;
-}
-
-/* The members of a pattern that are closed. */
-typedef struct pm_closed {
-    int n;
-    int32_t member[PM_PATTERN_SLOTS];
-} pm_closed;
-
-static inline pm_closed closed_of(const pm_frame *frame, const pm_state *s, int contact)
-{
-    const pm_slot *slot = s->slot + frame->model->contact_slot[contact];
-    pm_closed x = {.n = 0};
-    for (int i = 0; i < PM_PATTERN_SLOTS; i++)
-        if (slot[i].mode != PM_OPEN) x.member[x.n++] = slot[i].member;
-    return x;
-}
-
-static inline int is_among(const pm_closed *x, int member)
-{
-    for (int i = 0; i < x->n; i++)
-        if (x->member[i] == member) return 1;
-    return 0;
-}
-
-/* Goes from member k on, step by step, past those that are closed. */
-static inline int next_open(const pm_closed *x, int k, int step, int first, int last)
-{
-    while (k >= first && k <= last && is_among(x, k)) k += step;
-    return k;
-}
-
-/* The whole number below, where there is an int for it. */
-static int below_of(double place)
-{
-    const int k = (int)place;
-    return k > place ? k - 1 : k;
-}
-
-/* Place along the pattern, in steps from its first member. */
-static double place_beside(const pm_beside *x) { return pm_dot(x->d, x->step) / pm_dot(x->step, x->step); }
-
-/* The last of the members that are not above a place, of those that there are; one less than the first where there is none. */
-static inline int below_of_place(const pm_frame *frame, int contact, const pm_beside *x, int *first,
-                                 int *last)
-{
-    const int32_t *pattern =
-        PM_PATTERN_ROW(frame->model, PM_CONTACT_ROW(frame->model, contact)[PM_CONTACT_B]);
-    const double count = frame->numbers->value[pattern[PM_PATTERN_COUNT]];
-    const double place = place_beside(x);
-    const int most_members = (int)PM_MOST_MEMBERS;
-    *last = count < 0 ? most_members : (int)count - 1;
-    *first = count < 0 ? -most_members : 0;
-    return !(place >= *first) ? *first - 1 : place > *last ? *last : below_of(place);
-}
-
-/* Open members from `below` down and from there up, in turn. */
-static inline int members_about(const pm_closed *closed, int below, int first, int last, int most,
-                                int *member)
-{
-    int down = below, up = below + 1, n = 0;
-    while (n + 1 < most) {
-        down = next_open(closed, down, -1, first, last);
-        up = next_open(closed, up, 1, first, last);
-        if (down < first && up > last) break;
-        if (down >= first) member[n++] = down--;
-        if (up <= last) member[n++] = up++;
-    }
-    return n;
-}
-
-static int members_of_pattern(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
-                              int most, int *member)
-{
-    int first, last;
-    const int below = below_of_place(frame, contact, x, &first, &last);
-    const pm_closed closed = closed_of(frame, s, contact);
-    return members_about(&closed, below, first, last, most, member);
-}
-
-/* It is there, with a pattern that has no end. */
-static int is_endless(const pm_workspace *w, int contact)
-{
-    if (!pm_contact_is_pattern(w->model, contact)) return 0;
-    const int32_t *pattern = PM_PATTERN_ROW(w->model, PM_CONTACT_ROW(w->model, contact)[PM_CONTACT_B]);
-    return w->numbers.value[pattern[PM_PATTERN_COUNT]] < 0 &&
-           !pm_state_is_absent(w->model, &w->state, PM_TABLE_CONTACT, contact);
-}
-
-int pm_contact_check_places(pm_workspace *w)
-{
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
-        if (!is_endless(w, i)) continue;
-        const pm_beside x = pm_contact_beside(&w->frame, i);
-        const double place = place_beside(&x);
-        if (!(fabs(place) <= PM_MOST_MEMBERS))
-            return pm_fail(&w->result, PM_BAD_VALUE, PM_TABLE_CONTACT, i, place, PM_MOST_MEMBERS);
-    }
-    return PM_OK;
-}
-
 int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member)
 {
     const int32_t *e = PM_CONTACT_ROW(frame->model, contact);
@@ -321,51 +178,9 @@ int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int m
     member[0] = 0;
     if (pm_contact_is_plain(frame->model, contact))
         return !pm_contact_plain_is_closed(frame->model, s, contact);
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) {
-        const pm_beside x = pm_contact_beside(frame, contact);
-        return members_of_pattern(frame, s, contact, &x, most, member);
-    }
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN)
+        return pm_contact_pattern_near(frame, s, contact, most, member);
     return !is_closed(frame, s, contact, 0);
-}
-
-double pm_contact_nearest_of(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
-                             pm_near *near, int *member)
-{
-    int first, last;
-    const int below = below_of_place(frame, contact, x, &first, &last);
-    if (near->n < 0 || near->below != below) {
-        const pm_closed closed = closed_of(frame, s, contact);
-        near->n = members_about(&closed, below, first, last, 2, near->member);
-        near->below = below;
-    }
-    double least = INFINITY;
-    *member = 0;
-    for (int i = 0; i < near->n; i++) {
-        const double gap = pm_contact_gap_beside(x, near->member[i]);
-        if (!(gap <= least)) continue;
-        least = gap;
-        *member = near->member[i];
-    }
-    return least;
-}
-
-double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
-                                 int *member)
-{
-    pm_near near = {.n = -1};
-    return pm_contact_nearest_of(frame, s, contact, x, &near, member);
-}
-
-static double pattern_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
-{
-    const pm_beside x = pm_contact_beside(frame, contact);
-    return pm_contact_nearest_beside(frame, s, contact, &x, member);
-}
-
-double pm_contact_gap_to(const pm_frame *frame, int contact, int member)
-{
-    const pm_beside x = pm_contact_beside(frame, contact);
-    return pm_contact_gap_beside(&x, member);
 }
 
 double pm_contact_gap(const pm_frame *frame, const pm_state *s, int contact, int *member)
@@ -383,7 +198,7 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
     if (pm_contact_is_plain(frame->model, contact))
         return pm_contact_plain_is_closed(frame->model, s, contact) ? INFINITY
                                                                     : plain_gap(frame, contact, NULL);
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) return pattern_gap(frame, s, contact, member);
+    if (e[PM_CONTACT_KIND] == PM_CONTACT_PATTERN) return pm_contact_pattern_gap(frame, s, contact, member);
     if (pm_contact_curve_is(frame->model, contact)) return pm_contact_curve_gap(frame, s, contact, member);
     if (is_closed(frame, s, contact, 0)) return INFINITY;
     if (!pm_edge_is(frame->model, contact)) return pm_contact_member_gap(frame, contact, 0, 0);

@@ -1,4 +1,4 @@
-/* contact.h - potential contacts: their gaps, the nearest member of a pattern, and the slots of closed ones. */
+/* contact.h - potential contacts: their gaps, and the slots of closed ones. */
 #ifndef PM_CONTACT_H
 #define PM_CONTACT_H
 
@@ -14,29 +14,6 @@ double pm_contact_apart(const pm_frame *frame, const pm_state *s, int contact, i
 /* The nearest members that are not closed, at the frame, at most `most` (an even number) of a pattern: in pairs, one
  * on either side, as far as there are; returns how many. */
 int pm_contact_near(const pm_frame *frame, const pm_state *s, int contact, int most, int *member);
-/* Members of a pattern without end are numbered by int32: PM_BAD_VALUE where the circle of a contact is, at the frame,
- * beyond those that have a number (a contact, its place in steps of the pattern, the bound). */
-int pm_contact_check_places(pm_workspace *w);
-/* A circle beside a pattern: its centre from the pattern's first member, and the pattern's step, in the scene. */
-typedef struct pm_beside {
-    double d[2], step[2], radius;
-} pm_beside;
-/* That of a contact with a pattern, at the frame. */
-pm_beside pm_contact_beside(const pm_frame *frame, int contact);
-/* From there the gap to a member, and the smallest one as pm_contact_gap has it. */
-double pm_contact_gap_beside(const pm_beside *x, int member);
-double pm_contact_nearest_beside(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
-                                 int *member);
-/* The open members next to a place beside a pattern; n -1: not known yet.  They are the same at all places between the same two
- * members, as long as none closes or opens. */
-typedef struct pm_near {
-    int n, below, member[2];
-} pm_near;
-/* As pm_contact_nearest_beside; `near` is of a place before, or not known, and is kept. */
-double pm_contact_nearest_of(const pm_frame *frame, const pm_state *s, int contact, const pm_beside *x,
-                             pm_near *near, int *member);
-/* Gap to a member of a pattern, closed or not. */
-double pm_contact_gap_to(const pm_frame *frame, int contact, int member);
 /* Gap, and its rate, of one member at the frame. */
 double pm_contact_member_gap(const pm_frame *frame, int contact, int member, double *rate);
 /* Rate of slip of one member at the frame. */

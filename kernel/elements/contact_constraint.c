@@ -30,45 +30,45 @@ static void compose(const pm_frame *frame, int contact, pm_constraint *normal)
     switch ((enum pm_contact_kind)e[PM_CONTACT_KIND]) {
     case PM_CONTACT_LINE:
     case PM_CONTACT_SEGMENT:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_LINE_NORMAL);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_LINE_NORMAL);
         pm_constraint_marks_circle_and_line(frame, normal, a, b);
         break;
     case PM_CONTACT_CIRCLE:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_DISTANCE);
         pm_constraint_marks_circles(frame, normal, a, b, frame->numbers->value[e[PM_CONTACT_SIDE]]);
         break;
     case PM_CONTACT_POINT:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_DISTANCE);
         pm_constraint_marks_circles(frame, normal, a, b, 1);
         break;
     case PM_CONTACT_CORD:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_STRAND);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_STRAND);
         if (e[PM_CONTACT_RIM] == PM_NONE)
             pm_constraint_marks_strand(frame, normal, a, b, e[PM_CONTACT_SENSE_A], e[PM_CONTACT_SENSE_B]);
         else
             over_rim(frame, e, normal);
         break;
     case PM_CONTACT_TEETH:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_TEETH);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_TEETH);
         pm_constraint_marks_circles(frame, normal, a, b, frame->numbers->value[e[PM_CONTACT_SIDE]]);
         flank(frame, e, normal);
         break;
     case PM_CONTACT_RACK:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_RACK);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_RACK);
         pm_constraint_marks_circle_and_line(frame, normal, a, b);
         flank(frame, e, normal);
         break;
     case PM_CONTACT_CURVE:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_CURVE_NORMAL);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_CURVE_NORMAL);
         pm_constraint_marks_circle_and_curve(frame, normal, a, b);
         break;
     case PM_CONTACT_CURVES:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_PAIR_NORMAL);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_PAIR_NORMAL);
         pm_constraint_marks_curves(frame, normal, a, b);
         break;
     case PM_CONTACT_PATTERN:
     case PM_CONTACT_KINDS:
-        *normal = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
+        pm_constraint_marks_blank(normal, PM_CONSTRAINT_DISTANCE);
         pm_constraint_marks_pattern(frame, normal, a, b);
         break;
     }

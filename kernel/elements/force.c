@@ -147,7 +147,8 @@ static int steady_applied(const pm_frame *frame, const int32_t *e, const pm_cons
 /* Its points stay apart as they are: no spin moves them, and they go alike. */
 static int steady_line(const pm_frame *frame, const int32_t *e, const pm_constant_motion *x)
 {
-    pm_constraint c = pm_constraint_marks_blank(PM_CONSTRAINT_DISTANCE);
+    pm_constraint c;
+    pm_constraint_marks_blank(&c, PM_CONSTRAINT_DISTANCE);
     pm_constraint_marks_points(frame, &c, e[PM_FORCE_A], e[PM_FORCE_B]);
     return constant(frame, e[PM_FORCE_PROGRAM_X]) && pm_constant_motion_together(frame, &c, x);
 }

@@ -289,7 +289,7 @@ static void compose(const pm_frame *frame, int joint, pm_constraint *c)
 {
     const pm_joint_ops *ops = pm_joint_of(frame->model, joint);
     for (int k = 0; k < ops->nconstraint; k++) {
-        c[k] = pm_constraint_marks_blank(PM_NONE);
+        pm_constraint_marks_blank(&c[k], PM_NONE);
         c[k].joint = joint;
     }
     ops->compose(frame, PM_JOINT_ROW(frame->model, joint), c);

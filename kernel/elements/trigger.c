@@ -7,6 +7,7 @@
 #include "expression/piecewise.h"
 #include "expression/program.h"
 #include "expression/program_class.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/evidence.h"
 #include "state/workspace.h"
@@ -81,7 +82,7 @@ int pm_trigger_time_is_due(const pm_workspace *w)
 
 double pm_trigger_time_slope(pm_workspace *w, int program, double here)
 {
-    const double now = w->frame.t, unit = fmax(1, fabs(now));
+    const double now = w->frame.t, unit = pm_max(fabs(now), 1);
     w->frame.t = now + unit;
     const double slope = (pm_program_run(w, program) - here) / unit;
     w->frame.t = now;
@@ -205,8 +206,8 @@ static void note_side(pm_workspace *w, int trigger, int before, double after)
 static int has_fired(pm_workspace *w, int trigger, double before, double after)
 {
     double *size = &w->firing.size[trigger];
-    if (isfinite(before)) *size = fmax(*size, fabs(before));
-    if (isfinite(after)) *size = fmax(*size, fabs(after));
+    if (isfinite(before)) *size = pm_max(fabs(before), *size);
+    if (isfinite(after)) *size = pm_max(fabs(after), *size);
     if (before == after || isnan(before) || isnan(after)) return 0;
     const int from = side_of(before, PM_ON_ZERO * *size);
     note_side(w, trigger, from, after);

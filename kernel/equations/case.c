@@ -248,8 +248,8 @@ static void set_size(const pm_frame *frame, pm_numbers *numbers)
     for (int k = 0; k < 2 && m->nbody > 0; k++) size = pm_max(high[k] - low[k], size);
     for (int i = 0; i < m->rows[PM_TABLE_POINT]; i++) {
         const int32_t *e = PM_POINT_ROW(m, i);
-        if (e[PM_POINT_BODY] != PM_GROUND)
-            size = pm_max(hypot(numbers->value[e[PM_POINT_X]], numbers->value[e[PM_POINT_Y]]), size);
+        const double x = fabs(numbers->value[e[PM_POINT_X]]), y = fabs(numbers->value[e[PM_POINT_Y]]);
+        if (e[PM_POINT_BODY] != PM_GROUND && !(x + y <= size)) size = pm_max(hypot(x, y), size);
     }
     for (int i = 0; i < m->rows[PM_TABLE_CIRCLE]; i++)
         if (!is_on_ground(m, i)) size = pm_max(numbers->value[PM_CIRCLE_ROW(m, i)[PM_CIRCLE_RADIUS]], size);

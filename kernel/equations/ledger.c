@@ -177,18 +177,17 @@ static double work_of_forces(const pm_model *m, const pm_state *state)
 /* Linear momentum counts as m v, angular as m v times the scene's size: one scale for all three. */
 static double momentum_size(const pm_numbers *numbers, const double p[PM_LEDGER])
 {
-    return fmax(fmax(fabs(p[0]), fabs(p[1])), fabs(p[2]) / numbers->size);
+    return pm_max(fabs(p[2]) / numbers->size, pm_max(fabs(p[1]), fabs(p[0])));
 }
 
 static void update_scales(pm_workspace *w, double kinetic)
 {
     double p[PM_LEDGER];
     pm_frame_momentum(&w->frame, PM_NONE, p);
-    w->ledger.energy_scale =
-        fmax(w->ledger.energy_scale, fmax(kinetic, fabs(work_of_forces(w->model, &w->state))));
-    w->ledger.momentum_scale = fmax(
-        w->ledger.momentum_scale, fmax(momentum_size(&w->numbers, p),
-                                       momentum_size(&w->numbers, w->state.z + pm_ledger_ledger(w->model))));
+    double *energy = &w->ledger.energy_scale, *momentum = &w->ledger.momentum_scale;
+    *energy = pm_max(fabs(work_of_forces(w->model, &w->state)), pm_max(kinetic, *energy));
+    *momentum = pm_max(momentum_size(&w->numbers, p), *momentum);
+    *momentum = pm_max(momentum_size(&w->numbers, w->state.z + pm_ledger_ledger(w->model)), *momentum);
 }
 
 void pm_ledger_follow(const pm_frame *frame, const double before[PM_LEDGER], double *z)
@@ -204,7 +203,7 @@ void pm_ledger_step(pm_workspace *w)
     if (w->active.n == 0) return;
     if (!pm_solve_cache_take_constraints(w)) pm_saddle_evaluate(&w->active, &w->frame);
     w->ledger.constraint_worst =
-        fmax(w->ledger.constraint_worst, pm_projection_residual(&w->frame, &w->active));
+        pm_max(pm_projection_residual(&w->frame, &w->active), w->ledger.constraint_worst);
 }
 
 void pm_ledger_jump(pm_workspace *w, const double *before)

@@ -75,7 +75,7 @@ double pm_projection_residual(const pm_frame *frame, const pm_active_set *active
     for (int i = 0; i < active->n; i++) {
         const pm_constraint *x = &active->constraint[i];
         const double slip = pm_constraint_times(frame, x, frame->v) - x->rate;
-        worst = pm_max(fmax(fabs(x->g) / frame->numbers->size, fabs(slip) / frame->numbers->speed), worst);
+        worst = pm_max(fabs(slip) / frame->numbers->speed, pm_max(fabs(x->g) / frame->numbers->size, worst));
     }
     return worst;
 }

@@ -230,6 +230,7 @@ static void leave_out_added(const pm_model *m, pm_state *s)
 /* What is prescribed at the start is a number, and a length is greater than 0. */
 static int check_prescribed(pm_workspace *w)
 {
+    if (!pm_model_is_driven(w->model)) return PM_OK;
     for (int i = 0; i < w->model->rows[PM_TABLE_JOINT]; i++) {
         const int is_length = PM_JOINT_ROW(w->model, i)[PM_JOINT_KIND] == PM_JOINT_LENGTH;
         pm_constraint c[PM_JOINT_CONSTRAINTS];

@@ -144,7 +144,7 @@ int pm_start_assemble(pm_workspace *w, pm_start_report *report)
                                      ? w->numbers.value[PM_BODY_ROW(m, i)[PM_BODY_X + k]]
                                      : 0;
             report->moved =
-                fmax(report->moved, fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->numbers.size : 1));
+                pm_max(fabs(w->state.q[3 * i + k] - drawn) * (k == 2 ? w->numbers.size : 1), report->moved);
         }
     return report->opening <= allowed
                ? PM_OK

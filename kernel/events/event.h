@@ -7,6 +7,7 @@
 #define PM_EVENT_H
 
 #include "elements/contact.h"
+#include "elements/contact_pattern.h"
 #include "elements/edge.h"
 #include "events/gap_culling.h"
 #include "numerics/chebyshev_nodes.h"

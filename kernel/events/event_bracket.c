@@ -232,11 +232,11 @@ static int returns_after(pm_workspace *w, int i, const pm_event_course *of, int 
 static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
                           double since)
 {
-    const double rounding = PM_ON_ZERO * of->biggest, beyond = fmax(rounding, f->slack);
+    const double rounding = PM_ON_ZERO * of->biggest, beyond = pm_max(f->slack, rounding);
     const int begins = e->first_step && since == e->place[0] && fabs(of->g[0]) <= beyond;
     const int rests = begins && f->rested <= beyond && !f->every;
     if (!rests) f->rested = INFINITY;
-    return rests ? fmax(rounding, f->rested) : beyond;
+    return rests ? pm_max(f->rested, rounding) : beyond;
 }
 
 /* So close to a zero that was located at x nothing has left it.  A jump lies within what its argument scatters by, which may
@@ -244,7 +244,7 @@ static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_
 static double least_leaving(const pm_step *step, double x)
 {
     const double jump = PM_LEAVING_JUMP * PM_WINDOW_SWITCH * (step->whole_end - step->whole_begin);
-    return fmax(PM_LEAVING_LEAST * fabs(x), step->shown ? 0 : jump);
+    return pm_max(step->shown ? 0 : jump, PM_LEAVING_LEAST * fabs(x));
 }
 
 /* A trigger that was on zero at a: its side is where it has definitely left; it may have come back before b.  The
@@ -300,7 +300,7 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
     const int changes_sign = pm_event_changes_sign(f);
     int k = *first;
     if (f->held && changes_sign) { /* enters on the side where it goes */
-        const double since = fmax(f->since, place[0]);
+        const double since = pm_max(f->since, place[0]);
         while (k < of->n - 1 && (place[k] <= since || fabs(g[k]) < f->slack)) k++;
         *first = k;
         const double beyond = left_beyond(e, f, of, since);

@@ -15,6 +15,7 @@
 
 #include "elements/capture.h"
 #include "elements/contact.h"
+#include "elements/contact_pattern.h"
 #include "elements/edge.h"
 #include "events/ask.h"
 #include "events/step.h"
@@ -48,9 +49,9 @@ static double sample_pattern(pm_workspace *w, const pm_event_function *f, int no
 {
     pm_beside *x = w->event->beside + f->pattern * PM_NODES_MOST + node;
     int member;
-    *x = pm_contact_beside(&w->frame, f->index);
-    const double gap =
-        pm_contact_nearest_of(&w->frame, &w->state, f->index, x, &w->event->near[f->pattern], &member);
+    *x = pm_contact_pattern_beside(&w->frame, f->index);
+    const double gap = pm_contact_pattern_nearest_of(&w->frame, &w->state, f->index, x,
+                                                     &w->event->near[f->pattern], &member);
     return isinf(gap) ? w->numbers.size : gap;
 }
 
@@ -156,6 +157,16 @@ static int is_resolved(const pm_step *step, const double *sample)
     return !(pm_chebyshev_tail(step->nodes, sample) > PM_TAIL_WAVES);
 }
 
+/* The tail of function i: of its samples, which its own values are unless it has multiples; that is kept for the search. */
+static double tail_of_samples(const pm_step *step, pm_event_set *e, int i)
+{
+    pm_event_function *f = &e->function[i];
+    const double *sample = pm_event_samples(e, i);
+    if (f->every) return pm_chebyshev_tail(step->nodes, sample);
+    f->biggest = pm_max(f->most, -f->least);
+    return f->tail = f->biggest > 0 ? pm_chebyshev_high(step->nodes, sample) / f->biggest : 0;
+}
+
 /* Speeds fall to zero as the root of the energy does, where the motion reverses: that is no wave. */
 static int may_wave(const pm_model *model, const pm_event_function *f)
 {
@@ -170,7 +181,7 @@ static int are_resolved(const pm_workspace *w, int functions, int watched)
     const pm_event_set *e = w->event;
     const pm_ask_set *a = w->ask;
     for (int i = 0; functions && i < e->ntrigger; i++)
-        if (may_wave(w->model, &e->function[i]) && !is_resolved(&w->step, pm_event_samples(w->event, i)))
+        if (may_wave(w->model, &e->function[i]) && tail_of_samples(&w->step, w->event, i) > PM_TAIL_WAVES)
             return 0;
     for (int i = 0; watched && i < a->nobserver; i++)
         if (a->switches[a->observer[i]] == 0 && !is_resolved(&w->step, pm_ask_samples(w, a->observer[i])))
@@ -315,8 +326,8 @@ static int member_at(pm_workspace *w, const pm_event_function *f, double x, int 
     const pm_event_set *e = w->event;
     for (int k = 0; k < w->step.nodes->n; k++)
         if (e->place[k] == x)
-            return !isinf(pm_contact_nearest_beside(&w->frame, &w->state, f->index,
-                                                    e->beside + f->pattern * PM_NODES_MOST + k, member));
+            return !isinf(pm_contact_pattern_nearest(&w->frame, &w->state, f->index,
+                                                     e->beside + f->pattern * PM_NODES_MOST + k, member));
     return !pm_step_look(w, x, PM_LEVEL_KINEMATIC) &&
            !isinf(pm_contact_gap(&w->frame, &w->state, f->index, member));
 }
@@ -330,7 +341,7 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x)
         return;
     for (int k = 0; k < w->step.nodes->n; k++)
         pm_event_samples(w->event, i)[k] =
-            pm_contact_gap_beside(e->beside + f->pattern * PM_NODES_MOST + k, member);
+            pm_contact_pattern_gap_beside(e->beside + f->pattern * PM_NODES_MOST + k, member);
     f->tail = -1;
     f->ranged = 0;
 }

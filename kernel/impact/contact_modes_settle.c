@@ -27,8 +27,8 @@ static double force_size(const pm_frame *frame, const pm_active_set *active)
     double sum = 0;
     for (int i = 0; i < frame->model->nq; i++)
         if (i % 3 != 2) sum += fabs(frame->f[i]);
-    for (int i = 0; i < active->n; i++) sum = fmax(sum, fabs(frame->lambda[i]));
-    return fmax(sum, pm_case_force(frame->model, frame->numbers));
+    for (int i = 0; i < active->n; i++) sum = pm_max(fabs(frame->lambda[i]), sum);
+    return pm_max(pm_case_force(frame->model, frame->numbers), sum);
 }
 
 int pm_contact_modes_approach(const pm_workspace *w, int slot, double part)

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "elements/contact.h"
+#include "elements/contact_pattern.h"
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/ledger.h"
@@ -271,7 +271,7 @@ static int close_step(pm_workspace *w, double first, double taken, int ended)
     if (w->step.end > w->step.begin && (status = pm_ask_step(w))) return status;
     if ((status = pm_history_inside(w, w->step.end)) || !pm_step_is_last(&w->step)) return status;
     end_step(w);
-    return pm_contact_check_places(w);
+    return pm_contact_pattern_check(w);
 }
 
 /* What is due within rounding of now happens now: no step fits between. */

@@ -86,8 +86,8 @@ static void set_speed_scale(pm_workspace *w)
     for (int i = 0; i < w->model->nq; i++) {
         const double length = i % 3 == 2 ? w->numbers.size : 1;
         if (w->numbers.stand_in[i] > 0) continue;
-        fastest =
-            fmax(fastest, sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size));
+        fastest = pm_max(sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size),
+                         fastest);
     }
     fastest = pm_max(fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size, fastest);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;

@@ -22,7 +22,8 @@ int pm_frame_rotations_create(pm_frame *frame, pm_arena *memory)
 
 const pm_rotation *pm_frame_rotation_found(pm_rotation *x, double angle)
 {
-    *x = (pm_rotation){angle, cos(angle), sin(angle)};
+    const pm_lanes direction = pm_lanes_direction(angle);
+    *x = (pm_rotation){angle, direction[0], direction[1]};
     return x;
 }
 

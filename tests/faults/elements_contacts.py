@@ -143,13 +143,13 @@ FAULTS = [
     ),
     Fault(
         "contact: members are counted from zero",
-        "elements/contact.c",
+        "elements/contact_pattern.c",
         "return k > place ? k - 1 : k;",
         "return k;",
     ),
     Fault(
         "contact: a rate without the row's body",
-        "elements/contact.c",
+        "elements/contact_pattern.c",
         "a.v[0] - b.v[0], a.v[1] - b.v[1]",
         "a.v[0], a.v[1]",
     ),

@@ -138,7 +138,7 @@ FAULTS = [
     Fault(
         "modes: forces that are rounding pull",
         "impact/contact_modes_settle.c",
-        "return fmax(sum, pm_case_force(frame->model, frame->numbers));",
+        "return pm_max(pm_case_force(frame->model, frame->numbers), sum);",
         "return sum;",
     ),
     Fault(

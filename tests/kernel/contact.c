@@ -1,5 +1,6 @@
 /* Gaps: the nearest open member of a periodic row is that of a search over all; closed ones do not count. */
 #include "elements/contact.h"
+#include "elements/contact_pattern.h"
 
 #include "check.h"
 #include "scene.h"
@@ -50,6 +51,32 @@ static void nearest_member(void)
             NEAR(pm_contact_gap(&s->w->frame, &s->w->state, 0, &member), next, 1e-13);
             if (isfinite(next)) EQUAL(member, second);
             EQUAL(pm_contact_free_slot(&s->w->frame, &s->w->state, 0), 0);
+        }
+        scene_free(s);
+    }
+}
+
+/* Along a way the members next to the last place serve again between the same two, beyond either end of the pattern, too. */
+static void nearest_along(void)
+{
+    for (int n = 0; n < 40; n++) {
+        const int count = n % 4 == 0 ? -1 : 1 + n % 9;
+        scene *s = row_scene(0, 1, count);
+        if (CHECK(scene_begin(s) == PM_OK)) {
+            pm_workspace *w = s->w;
+            pm_near near = {.n = -1};
+            double x = -2;
+            for (int k = 0; k < 300; k++) {
+                x += check_random(-0.2, 0.24);
+                int member, again;
+                w->state.q[0] = x;
+                pm_frame_look_state(&w->frame, &w->state);
+                const pm_beside beside = pm_contact_pattern_beside(&w->frame, 0);
+                const double gap = pm_contact_pattern_nearest(&w->frame, &w->state, 0, &beside, &member);
+                EQUAL(pm_contact_pattern_nearest_of(&w->frame, &w->state, 0, &beside, &near, &again) == gap,
+                      1);
+                EQUAL(again, member);
+            }
         }
         scene_free(s);
     }
@@ -143,6 +170,7 @@ static void too_far(void)
 int main(void)
 {
     nearest_member();
+    nearest_along();
     rates();
     too_many();
     too_long();

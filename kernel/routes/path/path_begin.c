@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "elements/constraint.h"
 #include "elements/turning_plane.h"
 #include "equations/active_set.h"
 #include "equations/ledger.h"
@@ -32,7 +33,7 @@ double pm_path_force_size(const pm_frame *frame, const pm_place *x)
     double size = 0;
     for (int i = 0; i < frame->model->nbody; i++) {
         const double *f = frame->f + 3 * i, *t = x->tangent + 3 * i;
-        size += hypot(f[0], f[1]) * hypot(t[0], t[1]) + fabs(f[2] * t[2]);
+        size += pm_length(f) * pm_length(t) + fabs(f[2] * t[2]);
     }
     return size + pm_turning_plane_force_size(frame, x->tangent);
 }

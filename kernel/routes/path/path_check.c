@@ -26,8 +26,8 @@ static double open_work(const pm_workspace *w)
     if (!(scale > 0) || pm_chebyshev_tail(p->nodes, p->force) >= PM_WORK_TAIL) return 0;
     const double work = p->h * pm_chebyshev_whole(p->nodes, p->force);
     if (w->model->nz_work > 0) z = pm_path_work(w->model, w->state.z) - pm_path_work(w->model, p->weight);
-    const double rounding = PM_PATH_CHECK_ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
-    return fmax(fabs(first - last + z - work) - rounding, 0) / scale;
+    const double rounding = PM_PATH_CHECK_ROUNDINGS * DBL_EPSILON * pm_max(fabs(first), fabs(last));
+    return pm_max(fabs(first - last + z - work) - rounding, 0) / scale;
 }
 
 /* The direction of the motion at the end against the constraints, which were evaluated there and which the tree knows

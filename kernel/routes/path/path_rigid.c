@@ -154,7 +154,7 @@ static void go_round_circle(const pm_frame *frame, const pm_state *state, const 
     } else {
         const double begin = state->memory[node->memory].anchor / node->length,
                      phi = begin + rate * u + node->roll_parent * g->fixed;
-        x->rho = node->length * (pm_lanes){cos(phi), sin(phi)};
+        x->rho = node->length * pm_lanes_direction(phi);
     }
     x->t = pm_lanes_left(x->rho) / node->length;
     x->rate = rate * node->length * x->t;

@@ -114,7 +114,7 @@ static double kinetic_at(const pm_model *model, pm_path *p, const pm_place *x, d
  * resolve the forces. */
 static int work_is_better(const pm_path *p)
 {
-    const double rounding = DBL_EPSILON * fmax(fabs(p->energy), fabs(p->node[0].potential));
+    const double rounding = DBL_EPSILON * pm_max(fabs(p->energy), fabs(p->node[0].potential));
     return pm_chebyshev_high(p->nodes, p->force) * p->h <= rounding;
 }
 
@@ -284,7 +284,7 @@ static int judge(pm_workspace *w, int reverses, double *next)
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : reverses              ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!pm_path_clock_set(p, clock, fmax(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL))) {
+    if (!pm_path_clock_set(p, clock, pm_max(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL))) {
         *next = less;
         p->halved = 1;
     }

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "elements/contact.h"
+#include "elements/contact_pattern.h"
 #include "elements/edge.h"
 #include "elements/joint_friction.h"
 #include "equations/case.h"
@@ -135,8 +136,8 @@ static double next_contact(pm_workspace *w, const pm_place *x)
         if (pm_contact_is_pattern(w->model, i)) {
             const int n = pm_contact_near(&w->frame, &w->state, i, 2, member);
             for (int k = 0; k < n; k++)
-                h = fmin(
-                    h, way_to(&w->frame, w->path, i, member[k], pm_contact_gap_to(&w->frame, i, member[k])));
+                h = fmin(h, way_to(&w->frame, w->path, i, member[k],
+                                   pm_contact_pattern_gap_to(&w->frame, i, member[k])));
         } else {
             const double gap = pm_contact_gap(&w->frame, &w->state, i, member);
             if (!isinf(gap)) h = pm_min(way_to(&w->frame, w->path, i, *member, gap), h);
@@ -300,9 +301,9 @@ static int step(pm_workspace *w, double t_limit)
     const int may_close = pm_tree_is_angle(w->tree, p->driver);
     p->safe = w->numbers.coarse * full_step(w, &p->node[0]);
     const double full =
-        fmin(fmin(p->most, step_factor(w) * p->safe), w->numbers.coarse * next_contact(w, &p->node[0]));
+        pm_min(w->numbers.coarse * next_contact(w, &p->node[0]), pm_min(step_factor(w) * p->safe, p->most));
     if (!status)
-        status = pm_path_take_step(w, repeat(w->path, may_close ? fmin(full, 2 * M_PI - p->way) : full));
+        status = pm_path_take_step(w, repeat(w->path, may_close ? pm_min(2 * M_PI - p->way, full) : full));
     if (status) return status;
     if (w->step.reverses) set_reversal(w);
     pm_step_set(&w->step, 0, p->h);
