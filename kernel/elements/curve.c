@@ -16,6 +16,7 @@
 #include "elements/constraint.h"
 #include "elements/curve_piece.h"
 #include "expression/program.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 
 typedef struct pm_curve_series {
@@ -267,8 +268,9 @@ int pm_curve_check(pm_workspace *w, int curve)
     for (int i = 0; i <= PM_CURVE_SAMPLES; i++) {
         const double s = sample(frame, curve, i);
         const pm_curve_place at = pm_curve_at(frame, curve, s);
-        if (!isfinite(at.p[0]) || !isfinite(at.p[1]) || !isfinite(at.rate))
-            return bad(w, curve, PM_CURVE_X, s, NAN);
+        const double far = pm_max(fabs(at.p[0]), fabs(at.p[1]));
+        if (!isfinite(at.p[0]) || !(far <= PM_CURVE_FARTHEST) || !isfinite(at.rate))
+            return bad(w, curve, PM_CURVE_X, s, PM_CURVE_FARTHEST);
         if (has_cusp(&before, &at, size)) return bad(w, curve, PM_CURVE_Y, s, NAN);
         if (pm_curve_is_endless(frame->model, curve) && at.bend != 0)
             return bad(w, curve, PM_CURVE_CLOSED, at.bend, 0);

@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "elements/constraint.h"
+#include "numerics/minmax.h"
 
 /* ---- the nodes of a case ---- */
 static double bound_of(const pm_frame *frame, int curve, int column)
@@ -67,7 +68,7 @@ static int crosses_itself(const pm_curve_course *x)
         for (int k = i + 2; k < PM_CURVE_NODES;) {
             const double far = apart(x->node[i].p, x->node[k].p);
             if (far < 2 * x->pace && cross(x->node, i, k)) return i;
-            k += 1 + (far > 3 * x->pace ? (int)(far / x->pace) - 3 : 0);
+            k += 1 + (far > 3 * x->pace ? (int)pm_min(far / x->pace, PM_CURVE_NODES) - 3 : 0);
         }
     return PM_NONE;
 }

@@ -75,6 +75,7 @@
 #define PM_CURVE_BASIN 0.5 /* of the way to where a foot ends: a step of the search for it; larger: in hollows it may leave for another foot */
 #define PM_CURVE_LAST 1e-8 /* rad: a step after which the foot is exact, since errors square; larger: what rolls or sticks is told to jump, and ida creeps */
 #define PM_CURVE_FOUND 8 /* roundings of a place: a step that gains nothing; larger: feet less exact */
+#define PM_CURVE_FARTHEST 1e30 /* m: distance of a place from the point of its curve; larger: products of four lengths are no numbers */
 #define PM_CURVE_SAMPLES 256 /* places at which a whole curve is looked at; fewer: feet on wavy curves are missed, cusps too */
 #define PM_CURVE_NODES 1024 /* parts of a curve that contacts touch; fewer: curves with many waves are refused */
 #define PM_CURVE_TURN 0.5 /* rad: turn of the tangent in such a part, so that one foot is in it at most; larger: feet are missed */

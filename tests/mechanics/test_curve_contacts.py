@@ -262,6 +262,7 @@ def test_a_disk_goes_over_the_end_of_a_curve_as_over_that_of_a_line(route: str, 
     [
         ('{ x = "(2 m)*cos(s)", y = "(1 m)*sin(2*s)", from = 0, to = "2*pi", closed = true }', '["p.rim", "ground.c"]', "crosses itself"),
         ('{ x = "(1 m)*s", y = "(0.015 m)*cos(60*s)", from = 0, to = 10 }', '["p.rim", "ground.c"]', "bends too sharply"),
+        ('{ x = "(1 m)*s", y = "(4e149 m)*s", from = 0, to = 1e12 }', '["p.rim", "ground.c"]', "more than 1e.30 m away"),
         ('{ ellipse = ["2 m", "1 m"], side = "right" }', '["p.rim", "ground.c"]', "overlap"),
         ('{ ellipse = ["2 m", "1 m"] }', '["p.rim", "ground.c"], capture = "pin"', "a curve captures nothing"),
     ],

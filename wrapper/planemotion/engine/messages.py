@@ -180,7 +180,10 @@ def _bad_value(place: str, found: float, bound: float, unit: str) -> str:
 def _bad_curve(place: str, column: int, found: float, bound: float) -> str:
     match column:
         case layout.PM_CURVE_X:
-            return f"{place}: at s = {found:.6g} its place or its direction is no number"
+            return (
+                f"{place}: at s = {found:.6g} its place or its direction is no number, or it is more than "
+                f"{bound:.0g} m away from its point"
+            )
         case layout.PM_CURVE_Y:
             return f"{place}: at s = {found:.6g} it has a cusp; a curve is smooth: begin or end beside it"
         case layout.PM_CURVE_SIDE:
