@@ -131,6 +131,8 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
         status = pm_event_locate_settle(w, earliest, &x, first, taken);
         if (status || !misses(w, earliest, *first, &status)) break;
         pm_event_hold(&e->function[earliest], pm_max(*first, e->function[earliest].located));
+        /* where the distance of two points is rounding they go by each other all the time */
+        if ((status = pm_fail_early(&w->result, &w->patience))) return status;
     }
     note_spent(e, &w->step, earliest, *first);
     return status;

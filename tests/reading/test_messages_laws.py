@@ -87,6 +87,10 @@ FAULTS = [
         "a number is wanted: the force that draws the two points together",
     ),
     (
+        'forces.f = { couple = "ground", power = "3 W" }',
+        "forces.f.power: the ground does not turn: a power needs a body that does",
+    ),
+    (
         'joints.A = { pin = ["AB.A", "ground"], friction_couple = 0.3 }',
         "joints.A.friction_couple = 0.3: a moment",
     ),

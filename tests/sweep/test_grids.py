@@ -73,6 +73,7 @@ def test_bare_numbers_take_the_declared_unit() -> None:
         ([], 'sweep.d = "[]": an empty sweep; at least 1 value is needed'),
         (["1 in", "2 lb"], 'sweep.d[1] = "2.0 lb": a force, but this grid is of length'),
         (["1 in", 2], "sweep.d[1]"),
+        ({"from": "1 mm", "to": "1e306 m", "num": 3}, 'sweep.d.to = "1e+306 m": no finite number in "mm"'),
         (["r + 1"], "sweep.d[0]"),
         ({"from": "1 in", "to": "2 in", "step": "-0.5 in"}, "the step must lead"),
         ({"from": "1 in", "to": "2 in", "step": 0}, "the step must lead"),

@@ -114,7 +114,11 @@ def _in_one_unit(quantities: Sequence[Quantity], paths: Sequence[str]) -> tuple[
                 value=f"{item.value!r} {item.unit_text}".strip(),
             )
         same = bare_zero or item.unit_text == main.unit_text
-        values.append(item.value if same else item.value_si / factor(main.unit_text)[0])
+        value = item.value if same else item.value_si / factor(main.unit_text)[0]
+        if not math.isfinite(value):
+            reason = f'no finite number in "{main.unit_text}", the unit of this grid'
+            raise SceneError(reason, path=path, value=f"{item.value!r} {item.unit_text}".strip())
+        values.append(value)
     return main.unit_text, np.array(values, np.float64)
 
 

@@ -61,6 +61,9 @@ def _spin(to: Writer, owners: tuple[str, ...], where: str) -> Node:
         for owner in owners
         if owner != GROUND
     ]
+    if not spins:
+        reason = "the ground does not turn: a power needs a body that does"
+        raise SceneError(reason, path=where)
     if owners[0] == GROUND:
         return -spins[0]
     return spins[0] if len(spins) == 1 else spins[0] - spins[1]
