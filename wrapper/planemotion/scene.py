@@ -76,9 +76,9 @@ class Scene(SceneTable):
         """What runs made of the tables, for the next ones."""
         return Kept()
 
-    def tables(self) -> list[FlatScene]:
-        """The tables of each of its [runs], without a history; raises SceneError as `data` does."""
-        return self._kept.flats_of(self.data, self._raw, self.file)
+    def tables(self, *, history: bool = False) -> list[FlatScene]:
+        """The tables of each of its [runs]; `history`: with its columns.  Raises SceneError as `data`."""
+        return self._kept.flats_of(self.data, self._raw, self.file, history=history)
 
     @property
     def text(self) -> str:

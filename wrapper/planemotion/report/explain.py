@@ -8,22 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import _layout as layout
-from ..compile.flatten import FlatScene, flatten
+from ..compile.flatten import FlatScene
 from ..engine import call
 from ..engine.outcome import Start
 from ..model.element import Kind
 from ..model.readers import Vector
 from ..model.tables import Action, Event, Friction, Spin
-from ..reading.scene import SceneData
+from ..reading.scene import HasData, SceneData
 from .aligned import aligned
 from .plan import plan, ran, shared_lines
 
 if TYPE_CHECKING:
     from ..engine.result import RunResult
-    from ..reading.scene import WrittenScene
 
 # A start that the assembly moved by more than this part of the scene's size is worth a warning.
 _FAR = 0.05
@@ -33,6 +32,12 @@ _EQUILIBRIA = {
     layout.PM_EQUILIBRIUM_UNSTABLE: "in an unstable equilibrium",
     layout.PM_EQUILIBRIUM_NOT_TOLD: "in an equilibrium (its forces are not smooth: stable or not)",
 }
+
+
+class Tabled(HasData, Protocol):
+    """A scene that keeps its tables, so that what is told of it one after the other makes them once."""
+
+    def tables(self, *, history: bool = False) -> list[FlatScene]: ...
 
 
 @dataclass(frozen=True, repr=False)
@@ -46,10 +51,10 @@ class Told:
         return "\n".join([self.text, *(f"error: {fault}" for fault in self.faults)])
 
 
-def check(scene: WrittenScene) -> Told:
+def check(scene: Tabled) -> Told:
     """The assembled start of a scene, of each of its [runs].  Raises SceneError for a fault in the scene."""
     texts, faults = [], []
-    for flat in _runs(scene):
+    for flat in scene.tables(history=True):
         start = call.check(flat)
         texts.append("\n".join([_title(flat, start.message), *_indented(_assembly(start))]))
         if start.message:
@@ -57,10 +62,10 @@ def check(scene: WrittenScene) -> Told:
     return Told("\n".join(texts), tuple(faults))
 
 
-def explain(scene: WrittenScene) -> Told:
+def explain(scene: Tabled) -> Told:
     """The whole scene in words.  Raises SceneError for a fault in it."""
     data = scene.data
-    flats = _runs(scene)
+    flats = scene.tables(history=True)
     starts = [call.check(flat) for flat in flats]
     blocks = [
         [data.id + (f": {data.title}" if data.title else "")],
@@ -111,9 +116,9 @@ def explain(scene: WrittenScene) -> Told:
     return Told("\n\n".join("\n".join(block) for block in blocks if block), faults)
 
 
-def explain_run(scene: WrittenScene, result: RunResult) -> str:
+def explain_run(scene: Tabled, result: RunResult) -> str:
     """The phases of a run, and the evidence for its answers."""
-    blocks = [ran(flat) for flat in _runs(scene)]
+    blocks = [ran(flat) for flat in scene.tables(history=True)]
     return "\n" + "\n\n".join([*("\n".join(block) for block in blocks if block), result.explain()])
 
 
@@ -135,10 +140,6 @@ def _action(action: Action) -> str:
     else:
         text = f"impulse {_written(action.value)} on {action.impulse}"
     return text if action.active is True else f"{text} if {action.active}"
-
-
-def _runs(scene: WrittenScene) -> list[FlatScene]:
-    return [flatten(scene, name) for name in scene.run_names or (None,)]
 
 
 def _title(flat: FlatScene, fault: str) -> str:

@@ -47,10 +47,12 @@ class Kept:
             self._flats[use] = make()
         return self._flats[use]
 
-    def flats_of(self, data: SceneData, raw: Mapping[str, Any], file: str | None) -> list[FlatScene]:
-        """The tables of each of its [runs], without a history, made once until the scene is changed."""
+    def flats_of(
+        self, data: SceneData, raw: Mapping[str, Any], file: str | None, *, history: bool = False
+    ) -> list[FlatScene]:
+        """The tables of each of its [runs], made once until the scene is changed."""
         from ..compile.flatten import flatten
 
-        use = frozenset(data.sweep.grids), False
+        use = frozenset(data.sweep.grids), history
         names = tuple(data.runs) or (None,)
-        return self.flats(raw, file, use, lambda: [flatten(data, name, history=False) for name in names])
+        return self.flats(raw, file, use, lambda: [flatten(data, name, history=history) for name in names])
