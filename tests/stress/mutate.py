@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import copy
+import pickle
 import random
 import tomllib
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any
 
 from planemotion.file import to_toml
@@ -120,13 +122,19 @@ def mutated(text: str, chosen: random.Random) -> str:
     """The scene with some changes; mostly TOML still."""
     if chosen.random() < 0.15:
         return _characters(text, chosen)
-    raw = tomllib.loads(text)
+    raw = pickle.loads(_table(text))
     for _ in range(1 + int(chosen.expovariate(1.2))):
         chosen.choices(_CHANGES, _WEIGHTS)[0](raw, chosen)
     try:
         return to_toml(raw)
     except (TypeError, ValueError):
         return _characters(text, chosen)
+
+
+@cache
+def _table(text: str) -> bytes:
+    """The table of a text, read once; what is changed is a copy."""
+    return pickle.dumps(tomllib.loads(text))
 
 
 def _places(value: Any, path: Path = ()) -> Iterator[Path]:

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fenced.h"
 #include "planemotion.h"
 
 #define MOST_OUT 100000 /* answers of a case: beyond, it is refused like a wrong count */
@@ -29,17 +30,17 @@ static results results_create(const tables *x, int64_t ncase)
 {
     results y = {.ncase = ncase, .nout = answers(x), .nask = tables_rows(x, PM_TABLE_ASK)};
     const size_t number = sizeof(double);
-    y.out = tables_room(ncase * y.nout, number);
-    y.error = tables_room(ncase * y.nout, number);
-    y.margin = tables_room(ncase * y.nask, number);
-    y.trust = tables_room(ncase * PM_TRUSTS, number);
-    y.audit = tables_room(ncase * PM_AUDITS, number);
-    y.detail = tables_room(ncase * PM_DETAIL_COLUMNS, number);
-    y.found = tables_room(ncase * PM_FOUND_COLUMNS, number);
-    y.reason = tables_room(ncase * y.nask, sizeof *y.reason);
-    y.status = tables_room(ncase, sizeof *y.status);
-    y.where = tables_room(ncase * PM_WHERE_COLUMNS, sizeof *y.where);
-    y.count = tables_room(ncase * PM_COUNT_COLUMNS, sizeof *y.count);
+    y.out = fenced_room(ncase * y.nout, number);
+    y.error = fenced_room(ncase * y.nout, number);
+    y.margin = fenced_room(ncase * y.nask, number);
+    y.trust = fenced_room(ncase * PM_TRUSTS, number);
+    y.audit = fenced_room(ncase * PM_AUDITS, number);
+    y.detail = fenced_room(ncase * PM_DETAIL_COLUMNS, number);
+    y.found = fenced_room(ncase * PM_FOUND_COLUMNS, number);
+    y.reason = fenced_room(ncase * y.nask, sizeof *y.reason);
+    y.status = fenced_room(ncase, sizeof *y.status);
+    y.where = fenced_room(ncase * PM_WHERE_COLUMNS, sizeof *y.where);
+    y.count = fenced_room(ncase * PM_COUNT_COLUMNS, sizeof *y.count);
     return y;
 }
 
@@ -47,7 +48,7 @@ static void results_free(results *y)
 {
     void *const array[] = {y->out,   y->error,  y->margin, y->trust, y->audit, y->detail,
                            y->found, y->reason, y->status, y->where, y->count};
-    for (size_t i = 0; i < sizeof array / sizeof *array; i++) free(array[i]);
+    for (size_t i = 0; i < sizeof array / sizeof *array; i++) fenced_leave(array[i]);
 }
 
 static int batch(const tables *x, const double *param, int workers, const int32_t *stop, results *y)
@@ -101,14 +102,14 @@ static void check(const tables *x, const int32_t *stop)
               nbody = tables_rows(x, PM_TABLE_BODY);
     int32_t info[PM_CHECK_COLUMNS], where[PM_WHERE_COLUMNS];
     double number[PM_CHECK_NUMBERS], detail[PM_DETAIL_COLUMNS];
-    int32_t *joint = tables_room(njoint, sizeof *joint), *contact = tables_room(ncontact, sizeof *contact);
-    double *pose = tables_room(3 * nbody, sizeof *pose), *velocity = tables_room(3 * nbody, sizeof *velocity);
+    int32_t *joint = fenced_room(njoint, sizeof *joint), *contact = fenced_room(ncontact, sizeof *contact);
+    double *pose = fenced_room(3 * nbody, sizeof *pose), *velocity = fenced_room(3 * nbody, sizeof *velocity);
     pm_check(SCENE_OF(x), x->nparam, x->param, stop, info, number, nbody, pose, velocity, njoint, joint,
              ncontact, contact, where, detail);
-    free(joint);
-    free(contact);
-    free(pose);
-    free(velocity);
+    fenced_leave(joint);
+    fenced_leave(contact);
+    fenced_leave(pose);
+    fenced_leave(velocity);
 }
 
 static void explain(const tables *x, int64_t most, const int32_t *stop)
@@ -117,21 +118,21 @@ static void explain(const tables *x, int64_t most, const int32_t *stop)
     int32_t phase[3 * PM_PHASE_COLUMNS], where[PM_WHERE_COLUMNS];
     double time[3], detail[PM_DETAIL_COLUMNS];
     int64_t needed;
-    int32_t *joint = tables_room(cap * njoint, sizeof *joint),
-            *contact = tables_room(cap * ncontact, sizeof *contact);
+    int32_t *joint = fenced_room(cap * njoint, sizeof *joint),
+            *contact = fenced_room(cap * ncontact, sizeof *contact);
     pm_phases(SCENE_OF(x), x->nparam, x->param, stop, most, cap, phase, time, njoint, joint, ncontact,
               contact, &needed, where, detail);
-    free(joint);
-    free(contact);
+    fenced_leave(joint);
+    fenced_leave(contact);
 }
 
 static void needs(const tables *x, int of)
 {
     const int rows = tables_rows(x, of);
-    int32_t *needed = tables_room(rows, sizeof *needed), where[PM_WHERE_COLUMNS];
+    int32_t *needed = fenced_room(rows, sizeof *needed), where[PM_WHERE_COLUMNS];
     double detail[PM_DETAIL_COLUMNS];
     pm_needs(SCENE_OF(x), x->nparam, of, rows, needed, where, detail);
-    free(needed);
+    fenced_leave(needed);
 }
 
 static void trace(const tables *x, uint64_t *r, const int32_t *stop)
@@ -139,9 +140,9 @@ static void trace(const tables *x, uint64_t *r, const int32_t *stop)
     static const double grids[] = {0, 0, 0.01, 1e-300, NAN, -1, INFINITY},
                         bends[] = {1e-3, INFINITY, 0, NAN, 1e-300};
     const int64_t ntrace = tables_below(r, 4), cap = tables_below(r, 60);
-    int32_t *program = tables_room(ntrace, sizeof *program), *mark = tables_room(cap, sizeof *mark);
-    double *bend = tables_room(ntrace, sizeof *bend),
-           *history = tables_room(cap * (1 + ntrace), sizeof *history);
+    int32_t *program = fenced_room(ntrace, sizeof *program), *mark = fenced_room(cap, sizeof *mark);
+    double *bend = fenced_room(ntrace, sizeof *bend),
+           *history = fenced_room(cap * (1 + ntrace), sizeof *history);
     for (int64_t i = 0; i < ntrace; i++) {
         program[i] = (int32_t)tables_below(r, tables_rows(x, PM_TABLE_PROGRAM) + 1);
         bend[i] = bends[tables_below(r, 5)];
@@ -151,10 +152,10 @@ static void trace(const tables *x, uint64_t *r, const int32_t *stop)
     double detail[PM_DETAIL_COLUMNS];
     pm_trace(SCENE_OF(x), x->nparam, x->param, stop, grids[tables_below(r, 7)], ntrace, program, bend, cap,
              history, mark, &needed, where, detail);
-    free(program);
-    free(mark);
-    free(bend);
-    free(history);
+    fenced_leave(program);
+    fenced_leave(mark);
+    fenced_leave(bend);
+    fenced_leave(history);
 }
 
 int calls_all(const tables *x, uint64_t number, const int32_t *stop, const char **fault)
@@ -183,13 +184,13 @@ static int same(const results *y, int64_t i)
 int calls_batch_differs(const tables *x, int ncase, int workers)
 {
     results y = results_create(x, ncase);
-    double *param = tables_room(ncase * x->nparam, sizeof *param);
+    double *param = fenced_room(ncase * x->nparam, sizeof *param);
     const int32_t stop = 0;
     for (int i = 0; i < ncase; i++)
         if (x->nparam > 0) memcpy(param + i * x->nparam, x->param, (size_t)x->nparam * sizeof *param);
     int differs = batch(x, param, workers, &stop, &y) != PM_OK;
     for (int i = 1; i < ncase; i++) differs |= !same(&y, i);
-    free(param);
+    fenced_leave(param);
     results_free(&y);
     return differs;
 }

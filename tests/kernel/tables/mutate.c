@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fenced.h"
 #include "planemotion.h"
 #include "scene/reference.h"
 #include "tables.h"
@@ -98,14 +99,14 @@ static void add_row(tables *x, uint64_t *r)
     if (table == PM_TABLES) return;
     const int columns = pm_reference_columns[table], rows = tables_rows(x, table);
     const int64_t end = x->table[2 * table] + (int64_t)rows * columns;
-    int32_t *longer = tables_room(x->ntable + columns, sizeof *longer);
+    int32_t *longer = fenced_room(x->ntable + columns, sizeof *longer);
     memcpy(longer, x->table, (size_t)end * sizeof *longer);
     memcpy(longer + end, tables_row(x, table, (int)tables_below(r, rows)), (size_t)columns * sizeof *longer);
     memcpy(longer + end + columns, x->table + end, (size_t)(x->ntable - end) * sizeof *longer);
     for (int i = 0; i < PM_TABLES; i++)
         if (i != table && longer[2 * i] >= end && longer[2 * i] < x->ntable) longer[2 * i] += columns;
     longer[2 * table + 1]++;
-    free(x->table);
+    fenced_leave(x->table);
     x->table = longer;
     x->ntable += columns;
 }

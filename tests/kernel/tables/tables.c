@@ -5,22 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fenced.h"
 #include "planemotion.h"
 #include "scene/reference.h"
 
 #define MOST_CELLS 10000000 /* of an array in a file */
 
-void *tables_room(int64_t n, int64_t size)
-{
-    void *room = calloc(n > 0 ? (size_t)n : 1, (size_t)size);
-    if (!room) abort();
-    return room;
-}
-
 static void *copy_of(const void *x, int64_t n, int64_t size)
 {
-    void *y = malloc(n > 0 ? (size_t)(n * size) : 1);
-    if (!y) abort();
+    void *y = fenced_room(n, size);
     if (n > 0) memcpy(y, x, (size_t)(n * size));
     return y;
 }
@@ -36,9 +29,9 @@ tables tables_copy(const tables *x)
 
 void tables_free(tables *x)
 {
-    free(x->table);
-    free(x->constant);
-    free(x->param);
+    fenced_leave(x->table);
+    fenced_leave(x->constant);
+    fenced_leave(x->param);
 }
 
 int tables_rows(const tables *x, int table)
@@ -69,7 +62,7 @@ void corpus_free(corpus *c)
 static int read_array(FILE *stream, void **array, int64_t n, int64_t size)
 {
     if (n < 0 || n > MOST_CELLS) return 1;
-    *array = tables_room(n, size);
+    *array = fenced_room(n, size);
     return n > 0 && fread(*array, (size_t)size, (size_t)n, stream) != (size_t)n;
 }
 

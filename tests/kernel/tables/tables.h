@@ -1,5 +1,5 @@
-/* tables.h - the tables of a scene as the kernel takes them, each in memory of its own length, so that a sanitizer sees who reads
- * beyond; and changes of them at random.  Used by fuzz.c. */
+/* tables.h - the tables of a scene as the kernel takes them, each in memory of its own length (fenced.h); and changes of them at
+ * random.  Used by fuzz.c. */
 #ifndef TABLES_H
 #define TABLES_H
 
@@ -16,8 +16,6 @@ typedef struct corpus {
     tables *model;
 } corpus;
 
-/* Room for others; aborts where there is no memory. */
-void *tables_room(int64_t n, int64_t size);
 tables tables_copy(const tables *x);
 void tables_free(tables *x);
 /* Rows of a table by its directory, 0 where that does not lie in the tables; the row's first cell. */

@@ -24,9 +24,19 @@ def installed() -> Path:
 
 def sanitized(by: str) -> Path:
     """In the folder of `make sanitize`; by: "address,undefined" or "thread"."""
-    folder = ROOT / "build" / f"sanitize-{by.replace(',', '-')}"
+    options = ("-Dbuildtype=debug", "-Doptimization=1", f"-Db_sanitize={by}")
+    return _compiled(_configured(f"sanitize-{by.replace(',', '-')}", options))
+
+
+def trapping() -> Path:
+    """As fast as the package's kernel: what C does not define falls, and what goes beyond a fence."""
+    traps = "-Dc_args=-fsanitize=float-cast-overflow -fsanitize-undefined-trap-on-error"
+    return _compiled(_configured("trapping", ("-Dbuildtype=release", "-Db_sanitize=undefined", traps)))
+
+
+def _configured(name: str, options: tuple[str, ...]) -> Path:
+    folder = ROOT / "build" / name
     if not (folder / "build.ninja").exists():
-        options = ("-Dpython=false", "-Dbuildtype=debug", "-Doptimization=1", "-Dwerror=false")
-        command: list[str | Path] = [_MESON, "setup", folder, *options, f"-Db_sanitize={by}"]
+        command: list[str | Path] = [_MESON, "setup", folder, "-Dpython=false", "-Dwerror=false", *options]
         subprocess.run([*command, "-Db_lundef=false"], cwd=ROOT, check=True)
-    return _compiled(folder)
+    return folder
