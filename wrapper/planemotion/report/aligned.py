@@ -42,40 +42,6 @@ def aligned(
     if not cells and not header:
         return []
     looks = columns or [Column()] * max(map(len, [*cells, *header]))
-    if not header and width is None and all(map(_is_plain, (cell for row in cells for cell in row))):
-        lines = _padded(cells, looks)
-        if lines:
-            return lines
-    return _by_rich(cells, looks, header, width)
-
-
-def _is_plain(cell: str) -> bool:
-    """Each character as wide as the others, and none that rich takes for space to leave out."""
-    return cell.isascii() and cell.isprintable() and cell == cell.strip()
-
-
-def _padded(cells: Sequence[Sequence[str]], looks: Sequence[Column]) -> list[str]:
-    """What rich makes of plain cells, which takes it a millisecond or more; nothing where they have looks."""
-    if any(look.style or look.least for look in looks):
-        return []
-    shown = [[*row[: len(looks)], *[""] * (len(looks) - len(row))] for row in cells]
-    widths = [max(map(len, column)) for column in zip(*shown, strict=True)]
-    space = " " * _SPACE
-    return [
-        space.join(
-            cell.rjust(width) if look.right else cell.ljust(width)
-            for cell, width, look in zip(row, widths, looks, strict=True)
-        ).rstrip()
-        for row in shown
-    ]
-
-
-def _by_rich(
-    cells: Sequence[Sequence[str]],
-    looks: Sequence[Column],
-    header: Sequence[Sequence[str]],
-    width: int | None,
-) -> list[str]:
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, _SPACE, 0, 0))
     for look in looks:
         justify: Literal["left", "right"] = "right" if look.right else "left"
@@ -88,6 +54,6 @@ def _by_rich(
     if width is not None:
         needed = Measurement.get(console, console.options, table).minimum + _SPACE * len(looks)
         console.width = max(needed, width)
-    with console.capture() as printed:
+    with console.capture() as lines:
         console.print(table)
-    return [line.rstrip() for line in printed.get().splitlines()]
+    return [line.rstrip() for line in lines.get().splitlines()]
