@@ -157,14 +157,14 @@ static int is_resolved(const pm_step *step, const double *sample)
     return !(pm_chebyshev_tail(step->nodes, sample) > PM_TAIL_WAVES);
 }
 
-/* The tail of function i: of its samples, which its own values are unless it has multiples; that is kept for the search. */
-static double tail_of_samples(const pm_step *step, pm_event_set *e, int i)
+/* Whether the samples of trigger i show it.  The search for its zeros needs the tail, too, unless the trigger has multiples: its
+ * values there are others than its samples. */
+static int is_trigger_resolved(const pm_step *step, pm_event_set *e, int i)
 {
-    pm_event_function *f = &e->function[i];
-    const double *sample = pm_event_samples(e, i);
-    if (f->every) return pm_chebyshev_tail(step->nodes, sample);
-    f->biggest = pm_max(f->most, -f->least);
-    return f->tail = f->biggest > 0 ? pm_chebyshev_high(step->nodes, sample) / f->biggest : 0;
+    if (e->function[i].every) return is_resolved(step, pm_event_samples(e, i));
+    pm_event_course of;
+    pm_event_samples_take(step, e, i, &of);
+    return !(pm_event_samples_tail(step, e, i, &of) > PM_TAIL_WAVES);
 }
 
 /* Speeds fall to zero as the root of the energy does, where the motion reverses: that is no wave. */
@@ -181,8 +181,7 @@ static int are_resolved(const pm_workspace *w, int functions, int watched)
     const pm_event_set *e = w->event;
     const pm_ask_set *a = w->ask;
     for (int i = 0; functions && i < e->ntrigger; i++)
-        if (may_wave(w->model, &e->function[i]) && tail_of_samples(&w->step, w->event, i) > PM_TAIL_WAVES)
-            return 0;
+        if (may_wave(w->model, &e->function[i]) && !is_trigger_resolved(&w->step, w->event, i)) return 0;
     for (int i = 0; watched && i < a->nobserver; i++)
         if (a->switches[a->observer[i]] == 0 && !is_resolved(&w->step, pm_ask_samples(w, a->observer[i])))
             return 0;

@@ -27,8 +27,8 @@ from tests.stress.mutate import mutated
 if TYPE_CHECKING:
     from planemotion import Scene
 
-# s of computing time for each run of a scene: what one in forty would go on with is long, not new; and of the
-# clock, where others use the machine too, until it counts as a hang.
+# s of computing time for each run of a scene: one in forty would take longer, and these would take most of
+# the time of all; and s of the clock, where others use the machine too, until a scene counts as a hang.
 MOST_CPU, HANG = 0.01, 60.0
 # Outcomes that must not be.
 WRONG = ("crash", "traceback", "hang", "not finite")

@@ -136,8 +136,9 @@ static double next_contact(pm_workspace *w, const pm_place *x)
         if (pm_contact_is_pattern(w->model, i)) {
             const int n = pm_contact_near(&w->frame, &w->state, i, 2, member);
             for (int k = 0; k < n; k++)
-                h = fmin(h, way_to(&w->frame, w->path, i, member[k],
-                                   pm_contact_pattern_gap_to(&w->frame, i, member[k])));
+                h = pm_min(way_to(&w->frame, w->path, i, member[k],
+                                  pm_contact_pattern_gap_to(&w->frame, i, member[k])),
+                           h);
         } else {
             const double gap = pm_contact_gap(&w->frame, &w->state, i, member);
             if (!isinf(gap)) h = pm_min(way_to(&w->frame, w->path, i, *member, gap), h);

@@ -1,7 +1,7 @@
 """`python -m tests.stress.tables`: tables of the studies changed at random, in a kernel under ASan and UBSan.
 
 A part of `make stress`.  --fast changes them in a kernel that is as fast as the package's and traps what C
-does not define: 3 ms each instead of ten, for a million of them.  --valid runs them as they are, in valgrind;
+does not define: some 3 ms each instead of ten.  --valid runs them as they are, in valgrind;
 --threads in a kernel under TSan, in several batches at the same time.  --only does one of the changes again.
 """
 
@@ -33,7 +33,9 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="number of the first one")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--only", type=int, help="do this change again")
-    parser.add_argument("--fast", action="store_true", help="traps instead of sanitizers, ten times as fast")
+    parser.add_argument(
+        "--fast", action="store_true", help="traps instead of sanitizers, three times as fast"
+    )
     parser.add_argument("--valid", action="store_true", help="the models as they are, in valgrind")
     parser.add_argument("--threads", action="store_true", help="the models as they are, under TSan")
     given = parser.parse_args()

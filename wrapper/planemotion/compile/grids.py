@@ -107,17 +107,18 @@ def _in_one_unit(quantities: Sequence[Quantity], paths: Sequence[str]) -> tuple[
     values = []
     for item, path in zip(quantities, paths, strict=True):
         bare_zero = item.value == 0 and item.unit_text == ""
+        written = f"{item.value!r} {item.unit_text}".strip()
         if item.dimension != main.dimension and not bare_zero:
             raise SceneError(
                 f"{item.dimension.phrase}, but this grid is of {main.dimension.name}",
                 path=path,
-                value=f"{item.value!r} {item.unit_text}".strip(),
+                value=written,
             )
         same = bare_zero or item.unit_text == main.unit_text
         value = item.value if same else item.value_si / factor(main.unit_text)[0]
         if not math.isfinite(value):
             reason = f'no finite number in "{main.unit_text}", the unit of this grid'
-            raise SceneError(reason, path=path, value=f"{item.value!r} {item.unit_text}".strip())
+            raise SceneError(reason, path=path, value=written)
         values.append(value)
     return main.unit_text, np.array(values, np.float64)
 
