@@ -259,8 +259,11 @@ static int meet(pm_pair_search *f, int a, int b, int last)
     return 1;
 }
 
+/* Where no bound parts the curves there are as many pairs of parts as both have parts; what a case that is given up finds in them
+ * does not count (run.c). */
 static void look(pm_pair_search *f, int i, int k)
 {
+    if (pm_patience_ends(f->x->frame->patience)) return;
     const pm_curve_part *a = part(f, f->x->a, i), *b = part(f, f->x->b, k);
     if (!bend_apart(a, b) || !turns_against(f->x, a, b) || !stands_over(f->x, a, b)) return;
     const int last_a = pm_curve_part_is_last(i) || is_endless(f->x, f->x->a),

@@ -193,6 +193,7 @@ static int pass_marks(pm_workspace *w, double *first, double *taken, int *ended)
     for (;;) {
         int status = pm_fail_early(&w->result, &w->patience);
         if (!status) status = pm_event_search_first(w, from, first, taken);
+        if (!status) status = pm_fail_early(&w->result, &w->patience); /* a gap may not have been found */
         if (!status && *first < INFINITY) join_end(w, first);
         if (status || *first >= w->step.whole_end || *first <= w->step.begin ||
             !only_marks(w->model, w->event))

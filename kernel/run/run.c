@@ -161,10 +161,18 @@ static int start_at_once(pm_workspace *w)
     return !status && pm_equilibrium_wanted(w->model) ? pm_equilibrium_check(w) : status;
 }
 
+/* What was found when the case had been given up does not count: a search may have been left (elements/pair.c). */
+static int unless_given_up(pm_workspace *w, int status)
+{
+    const int early = pm_fail_early(&w->result, &w->patience);
+    return early ? early : status;
+}
+
 int pm_run_start(pm_workspace *w, const double *param, pm_start_report *report)
 {
-    const int status = assemble(w, param, report);
-    return status ? status : start_at_once(w);
+    int status = unless_given_up(w, assemble(w, param, report));
+    if (!status) status = unless_given_up(w, start_at_once(w));
+    return status;
 }
 
 /* Segments, and periods of swings, that go like one before are passed over. */
@@ -327,17 +335,17 @@ int pm_run(pm_workspace *w, const double *param)
 {
     pm_start_report report;
     w->fixed->wanted = 1;
-    int status = assemble(w, param, &report);
-    const int started = status == PM_OK;
-    if (!status) status = start_at_once(w);
+    int status = unless_given_up(w, assemble(w, param, &report));
+    const int started = status == PM_OK, nothing = !started && w->patience.over;
+    if (!status) status = unless_given_up(w, start_at_once(w));
     if (!status) status = run_phases(w);
     pm_phase_report_end(w);
     if (!status) status = end(w);
     if (status && started) status = explain(w, status);
-    if (status > 0) status = end_early(w, status);
+    if (status > 0 && !nothing) status = end_early(w, status);
     if (status < 0 && started)
         keep_sound(w, status);
-    else if (status < 0)
+    else if (status < 0 || nothing)
         pm_run_fail_asks(w->model, &w->result);
     return status;
 }

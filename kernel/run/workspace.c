@@ -154,6 +154,8 @@ int pm_workspace_create(const pm_model *m, pm_workspace **workspace)
     if (!w) return PM_NO_MEMORY;
     w->model = w->frame.model = m;
     w->frame.numbers = &w->numbers;
+    w->frame.patience = &w->patience;
+    pm_patience_begin(&w->patience);
     w->frame.side = (pm_side){-INFINITY, INFINITY};
     w->saddle = (pm_saddle){.model = m, .numbers = &w->numbers, .active = &w->active};
     w->numbers.coarse = 1;

@@ -7,6 +7,7 @@
 #include "numerics/lanes.h"
 #include "state/arena.h"
 #include "state/numbers.h"
+#include "state/patience.h"
 #include "state/state.h"
 
 /* A stretch of time between two instants where programs of forces or drives switch (events/time_course.h). */
@@ -24,6 +25,7 @@ enum { PM_ROTATIONS_OF_BODY = 16 }; /* for each body at least so many are kept *
 typedef struct pm_frame {
     const pm_model *model;
     const pm_numbers *numbers; /* of the case */
+    pm_patience *patience;     /* likewise: long searches ask it whether to go on */
     double t;
     pm_side side; /* programs of forces and drives are taken as they are within it, at its ends too */
     double

@@ -16,6 +16,7 @@ from planemotion.compile.flatten import flatten
 from planemotion.engine import call
 from planemotion.report import explain as explanations
 from planemotion.scene import Scene
+from tests import STUDIES
 
 POINT = 'bodies.P = { mass = "1 kg", at = [0, 0] }\nparameters = { T = "2000 s", L = "1 m", h = "1 m" }\n'
 DOUBLE = """
@@ -109,6 +110,18 @@ def test_the_limit_is_heard_where_two_points_go_by_each_other_in_rounding() -> N
     )
     begun = time.thread_time()
     assert scene.run().status == "limit_cpu"
+    assert time.thread_time() - begun < 10
+
+
+def test_the_limit_is_heard_in_the_search_for_where_two_curves_are_nearest() -> None:
+    # A flank of 200,000 turns: of its parts no two are so far apart that the search could leave them out.
+    text = (STUDIES / "involute_teeth.toml").read_text(encoding="utf-8").split("[sweep]")[0]
+    scene = load_text('solve.max_cpu = "50 ms"\n' + text.replace("from = -1.3", "from = -1.3e6", 1))
+    begun = time.thread_time()
+    result = scene.run()
+    assert result.status == "limit_cpu"
+    assert all(answer.value is None for answer in result.asks.values())
+    assert "given up after 0.05 s of computing time" in scene.check().faults[0]
     assert time.thread_time() - begun < 10
 
 
