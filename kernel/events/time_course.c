@@ -65,6 +65,8 @@ int pm_time_course_create(pm_workspace *w)
     return status;
 }
 
+int pm_time_course_is_any(const pm_workspace *w) { return w->step.course->n > 0; }
+
 static pm_enclosure enclose(const pm_workspace *w, int i, double from, double to)
 {
     return pm_enclosure_of_time(w->model, w->step.course->program[i], w->numbers.param, w->numbers.value,

@@ -8,6 +8,8 @@
 #include "state/workspace.h"
 
 int pm_time_course_create(pm_workspace *w);
+/* Whether anything follows the time otherwise than at a constant rate. */
+int pm_time_course_is_any(const pm_workspace *w);
 /* A case begins, at w->state.t: its numbers are known. */
 void pm_time_course_begin(pm_workspace *w);
 /* The time to which a step from w->state may go that was as long as `length` the last time (0: not known). */

@@ -104,6 +104,8 @@
 #define PM_IDA_UNKNOWN 20.0 /* times a change: what it may leave where no rate is known yet; more: one iteration more */
 #define PM_IDA_GAINED 4.0 /* roundings: a change with nothing left to gain; more: unknowns less exact */
 #define PM_IDA_ROUNDINGS 8.0 /* roundings: differences over five steps show no less of an error; more: less accurate far away */
+#define PM_IDA_LATER 0.1 /* of a step: between two looks at forces, which tell what rounding the time makes of them; more: narrow pulses are passed; less: a turn of one is taken for no change */
+#define PM_IDA_LATER_ROUNDINGS 64.0 /* of the time, at the least, likewise; less: their difference is rounding itself */
 #define PM_IDA_TRIES 40 /* of a step, each a quarter of the one before: forces that rise from nothing tell no first length; more would only put off the failure */
 #define PM_IDA_FIRST_STEP 0.3 /* of sqrt(tolerance) times the motion's own time: a step of order 1; more: rejected */
 #define PM_IDA_RATE_TIME 1e-4 /* of the motion's own time: distance of differences at the begin; more: curvature spoils them */

@@ -1,6 +1,7 @@
 /* ida.h - what the files of the ida route share.
  *
  *   route_ida.c     the route: begin, step, at, exact
+ *   ida_clock.c     the time that IDA's steps sum up to
  *   ida_system.c    unknowns, residual, error weights
  *   ida_jacobian.c  the blocks of the Newton matrix
  *   ida_slopes.c    derivatives of forces, and of what is integrated along
@@ -65,10 +66,17 @@ typedef struct pm_ida_rounding {
     double *all;      /* [n] */
     double *own;      /* [n] of the numbers themselves */
     double *residual; /* [n] of what is left of the equations */
+    double *timed;    /* [nq + nz_controlled] of v' and z', by that of the time at which forces are taken */
     double *shift;    /* [n] scratch */
     double *
         driven; /* [nconstraint][2] greatest rate that was prescribed in the phase, and greatest rate of it */
 } pm_ida_rounding;
+
+/* IDA's clock. */
+typedef struct pm_ida_clock {
+    double now;   /* what it shows after the last step, s */
+    double ahead; /* of the time that the steps sum up to, s */
+} pm_ida_clock;
 
 typedef struct pm_ida {
     /* the phase */
@@ -86,9 +94,10 @@ typedef struct pm_ida {
     double first_change; /* of Newton's iteration in this step, in error weights */
     double left_over;    /* of a change: what it is believed to leave */
     pm_ida_rounding rounding;
-    int most;           /* unknowns with all constraints active */
-    double tolerance;   /* of IDA */
-    double *weight;     /* [most] reciprocal of the allowed errors, rounding left aside */
+    int most;         /* unknowns with all constraints active */
+    double tolerance; /* of IDA */
+    double *weight;   /* [most] reciprocal of the allowed errors, rounding left aside */
+    pm_ida_clock clock;
     double first, last; /* the step as integrated: dense output is known there */
     int status;         /* of the kernel inside a function that IDA called, or PM_OK */
     pm_ida_jacobian jacobian;
@@ -100,6 +109,16 @@ static inline int pm_ida_place_mu(const pm_model *model, const pm_ida *ida)
 {
     return pm_ida_place_l(model) + ida->stride;
 }
+
+/* ---- ida_clock.c ---- */
+/* A phase begins at the time t. */
+void pm_ida_clock_begin(pm_ida *ida, double t);
+/* IDA has made a step, or none; returns its code. */
+int pm_ida_clock_follow(pm_ida *ida);
+/* The time of what IDA asks for at `shown`, while it tries a step. */
+double pm_ida_clock_tried(const pm_ida *ida, double shown);
+/* What the clock shows at the time t of the last step. */
+static inline double pm_ida_clock_at(const pm_ida *ida, double t) { return t + ida->clock.ahead; }
 
 /* ---- ida_system.c ---- */
 void pm_ida_system_layout(pm_workspace *w);

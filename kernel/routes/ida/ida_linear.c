@@ -324,7 +324,9 @@ int pm_ida_linear_jacobian(double t, double cj, N_Vector y, N_Vector yp, N_Vecto
     (void)a;
     (void)b;
     (void)c;
-    pm_ida_jacobian_evaluate(workspace, t, cj, N_VGetArrayPointer(y), N_VGetArrayPointer(yp));
+    pm_workspace *w = workspace;
+    pm_ida_jacobian_evaluate(w, pm_ida_clock_tried(w->ida, t), cj, N_VGetArrayPointer(y),
+                             N_VGetArrayPointer(yp));
     return 0;
 }
 

@@ -1,7 +1,7 @@
 /* ida_rounding.c - how far rounding moves the unknowns of ida_system.c.
  *
  * The terms of the residual are known to eps of themselves: of a constraint to eps sum |G_k| (|q_k| + size), of its rate
- * likewise, of what is prescribed at t to eps t times its rate, of y' to eps cj y.  What meets the equations to that moves
+ * likewise, of what is prescribed at t, and of forces, to eps t times its rate, of y' to eps cj y.  What meets the equations to that moves
  * about by J^-1 of it, a light wheel on a long cord by many times its own rounding.  J^-1 is applied to such residuals with
  * several patterns of signs; until the first factors are there each constraint is taken alone: W |G| r / (G W G^T). */
 #include <math.h>
@@ -9,6 +9,9 @@
 
 #include "elements/constraint.h"
 #include "elements/drive.h"
+#include "elements/force.h"
+#include "equations/ledger.h"
+#include "events/time_course.h"
 #include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
 #include "state/workspace.h"
@@ -19,11 +22,8 @@ int pm_ida_rounding_create(pm_arena *arena, pm_ida_rounding *x, const pm_model *
 {
     const size_t n = (size_t)most + 1;
     const pm_array array[] = {
-        PM_ARRAY(x->all, n),
-        PM_ARRAY(x->own, n),
-        PM_ARRAY(x->residual, n),
-        PM_ARRAY(x->shift, n),
-        PM_ARRAY(x->driven, 2 * (size_t)m->nconstraint + 1),
+        PM_ARRAY(x->all, n),   PM_ARRAY(x->own, n),   PM_ARRAY(x->residual, n),
+        PM_ARRAY(x->shift, n), PM_ARRAY(x->timed, n), PM_ARRAY(x->driven, 2 * (size_t)m->nconstraint + 1),
     };
     return pm_arena_take(arena, PM_ARRAYS(array));
 }
@@ -67,6 +67,33 @@ static const double *drive(pm_workspace *w, int i)
     return driven;
 }
 
+/* Forces and the rates of what they integrate at the frame, by a part of the mass: [nq + nz_controlled]. */
+static void read_forces(pm_workspace *w, double *of)
+{
+    const int nq = w->model->nq;
+    pm_force_all(w);
+    for (int i = 0; i < nq; i++) of[i] = w->numbers.inverse_mass[i] * w->frame.f[i];
+    pm_ledger_controlled_rates(w, of + nq);
+}
+
+/* What forces change by in a part of the step, which rounding of the time makes that part of: at this very instant they may
+ * not change at all. */
+static void of_forces(pm_workspace *w)
+{
+    pm_ida_rounding *x = &w->ida->rounding;
+    const int n = w->model->nq + w->model->nz_controlled;
+    const double t = w->frame.t, rounded = PM_EPSILON * fabs(t);
+    double step;
+    memset(x->timed, 0, (size_t)n * sizeof *x->timed);
+    if (!pm_time_course_is_any(w) || IDAGetCurrentStep(w->ida->memory, &step)) return;
+    const double later = fmax(PM_IDA_LATER * step, PM_IDA_LATER_ROUNDINGS * rounded);
+    w->frame.t = t + later <= w->frame.side.to ? t + later : t - later;
+    read_forces(w, x->timed);
+    w->frame.t = t;
+    read_forces(w, x->shift);
+    for (int i = 0; i < n; i++) x->timed[i] = rounded / later * fabs(x->timed[i] - x->shift[i]);
+}
+
 void pm_ida_rounding_find(pm_workspace *w, const double *y, const double *slope)
 {
     const pm_model *m = w->model;
@@ -93,6 +120,7 @@ void pm_ida_rounding_find(pm_workspace *w, const double *y, const double *slope)
         x->residual[l + i] = open;
         x->residual[mu + i] = slip;
     }
+    if (slope) of_forces(w);
 }
 
 /* Those of the differential equations; the constraints' are there. */
@@ -103,6 +131,7 @@ static void of_residual(pm_workspace *w)
     const int l = pm_ida_place_l(m);
     const double cj = w->ida->jacobian.cj;
     for (int i = 0; i < l; i++) x->residual[i] = cj * x->own[i];
+    for (int i = 0; i < m->nq + m->nz_controlled; i++) x->residual[m->nq + i] += x->timed[i];
     for (int i = 0; i < w->active.n; i++)
         pass_on(&w->frame, &w->active.constraint[i], cj * x->own[l + i], x->residual + m->nq);
 }

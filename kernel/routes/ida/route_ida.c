@@ -42,8 +42,9 @@ static int status_of(pm_result *result, const pm_ida *ida, int flag)
 /* > 0: IDA may try a smaller step. */
 static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void *workspace)
 {
-    return pm_ida_system_residual(workspace, t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp),
-                                  N_VGetArrayPointer(r))
+    pm_workspace *w = workspace;
+    return pm_ida_system_residual(w, pm_ida_clock_tried(w->ida, t), N_VGetArrayPointer(y),
+                                  N_VGetArrayPointer(yp), N_VGetArrayPointer(r))
                ? 0
                : 1;
 }
@@ -218,6 +219,7 @@ static int begin(pm_workspace *w)
     if (flag != IDA_SUCCESS) return failed(&w->result, flag);
     first = fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)));
     flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
+    pm_ida_clock_begin(r, w->state.t);
     r->first = r->last = w->state.t;
     return flag == IDA_SUCCESS ? PM_OK : failed(&w->result, flag);
 }
@@ -229,10 +231,11 @@ static int look_up(pm_workspace *w, double t, double *y)
     const double inside = fmax(t, r->first);
     const int n = 2 * w->model->nq + w->model->nz;
     const double *value = N_VGetArrayPointer(r->dense);
-    int flag = IDAGetDky(r->memory, inside, 0, r->dense);
+    const double shown = pm_ida_clock_at(r, inside);
+    int flag = IDAGetDky(r->memory, shown, 0, r->dense);
     memcpy(y, value, (size_t)n * sizeof *y);
     if (flag == IDA_SUCCESS && t < inside) {
-        flag = IDAGetDky(r->memory, inside, 1, r->dense);
+        flag = IDAGetDky(r->memory, shown, 1, r->dense);
         for (int i = 0; i < n; i++) y[i] += (t - inside) * value[i];
     }
     return flag == IDA_SUCCESS ? PM_OK : failed(&w->result, flag);
@@ -256,26 +259,40 @@ static int too_small(pm_result *result, double length, double bound)
     return pm_fail(result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
 }
 
-static int one_step(pm_workspace *w, double t_limit)
+/* One step of IDA, up to t_limit at the most.  Returns a status; *end: the time that it has come to. */
+static int solve(pm_workspace *w, double t_limit, double *end)
 {
     pm_ida *r = w->ida;
-    double t, length;
-    const double room = t_limit - w->state.t, least = PM_IDA_LEAST_STEP * fabs(w->state.t);
-    if (!(room > PM_IDA_LEAST_ROOM * fabs(t_limit)))
-        return too_small(&w->result, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
+    const double least = PM_IDA_LEAST_STEP * fabs(w->state.t), stop = pm_ida_clock_at(r, t_limit);
+    double shown, length;
     r->status = PM_OK;
-    int flag = IDASetStopTime(r->memory, t_limit);
-    if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, t_limit, &t, r->y, r->yp, IDA_ONE_STEP);
-    int status = status_of(&w->result, w->ida, flag);
+    int flag = IDASetStopTime(r->memory, stop);
+    if (flag == IDA_SUCCESS) flag = IDASolve(r->memory, stop, &shown, r->y, r->yp, IDA_ONE_STEP);
+    const int status = status_of(&w->result, w->ida, flag);
     if (status) return status;
-    if ((flag = IDAGetCurrentTime(r->memory, &r->last)) || (flag = IDAGetLastStep(r->memory, &length)))
+    if ((flag = pm_ida_clock_follow(r)) || (flag = IDAGetLastStep(r->memory, &length)))
         return failed(&w->result, flag);
     if (!(length > least)) return too_small(&w->result, length, least); /* IDA itself would go on for ever */
+    r->last = r->clock.now - r->clock.ahead;
     r->first = r->last - length;
-    if (w->ask->nobserver > 0) w->step.nodes = &pm_chebyshev_nodes_equal;
-    pm_step_set(&w->step, w->state.t, t);
+    *end = shown >= stop ? t_limit : fmin(r->last, t_limit);
+    if (*end == t_limit) return look_up(w, t_limit, w->state.q); /* a rounding beside the clock's */
     memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
-    w->state.t = t;
+    return PM_OK;
+}
+
+static int one_step(pm_workspace *w, double t_limit)
+{
+    double end = w->state.t;
+    int flag;
+    const double room = t_limit - w->state.t;
+    if (!(room > PM_IDA_LEAST_ROOM * fabs(t_limit)))
+        return too_small(&w->result, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
+    int status = solve(w, t_limit, &end);
+    if (status) return status;
+    if (w->ask->nobserver > 0) w->step.nodes = &pm_chebyshev_nodes_equal;
+    pm_step_set(&w->step, w->state.t, end);
+    w->state.t = end;
     status = pm_ida_linear_project(w, &w->state);
     w->result.count[PM_COUNT_STEPS]++;
     if (!status && pm_case_speed(w->model, &w->numbers, w->state.v)) pm_ida_system_scale(w);
