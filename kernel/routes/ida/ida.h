@@ -117,6 +117,8 @@ void pm_ida_clock_begin(pm_ida *ida, double t);
 int pm_ida_clock_follow(pm_ida *ida);
 /* The time of what IDA asks for at `shown`, while it tries a step. */
 double pm_ida_clock_tried(const pm_ida *ida, double shown);
+/* From where the clock shows `shown` until the time t, without rounding. */
+double pm_ida_clock_until(const pm_ida *ida, double shown, double t);
 /* What the clock shows at the time t of the last step. */
 static inline double pm_ida_clock_at(const pm_ida *ida, double t) { return t + ida->clock.ahead; }
 

@@ -33,3 +33,8 @@ double pm_ida_clock_tried(const pm_ida *ida, double shown)
     if (IDAGetCurrentStep(ida->memory, &step) != IDA_SUCCESS) return shown;
     return shown - (ida->clock.ahead + over(ida->clock.now, step, shown));
 }
+
+double pm_ida_clock_until(const pm_ida *ida, double shown, double t)
+{
+    return -over(t, ida->clock.ahead, shown);
+}

@@ -259,6 +259,14 @@ static int too_small(pm_result *result, double length, double bound)
     return pm_fail(result, PM_STEP_TOO_SMALL, PM_NONE, PM_NONE, length, bound);
 }
 
+/* The state to which IDA has come, and so much later: the time is rounded. */
+static void take_end(pm_workspace *w, double later)
+{
+    const double *y = N_VGetArrayPointer(w->ida->y), *yp = N_VGetArrayPointer(w->ida->yp);
+    const int n = 2 * w->model->nq + w->model->nz;
+    for (int i = 0; i < n; i++) w->state.q[i] = y[i] + later * yp[i]; /* q, v, z lie together */
+}
+
 /* One step of IDA, up to t_limit at the most.  Returns a status; *end: the time that it has come to. */
 static int solve(pm_workspace *w, double t_limit, double *end)
 {
@@ -276,8 +284,7 @@ static int solve(pm_workspace *w, double t_limit, double *end)
     r->last = r->clock.now - r->clock.ahead;
     r->first = r->last - length;
     *end = shown >= stop ? t_limit : fmin(r->last, t_limit);
-    if (*end == t_limit) return look_up(w, t_limit, w->state.q); /* a rounding beside the clock's */
-    memcpy(w->state.q, N_VGetArrayPointer(r->y), (size_t)(2 * w->model->nq + w->model->nz) * sizeof(double));
+    take_end(w, pm_ida_clock_until(r, shown, *end));
     return PM_OK;
 }
 
