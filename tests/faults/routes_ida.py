@@ -4,6 +4,30 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "ida: forces at the time of its clock",
+        "routes/ida/ida_clock.c",
+        "return shown - (ida->clock.ahead + over(ida->clock.now, step, shown));",
+        "return shown;",
+    ),
+    Fault(
+        "ida: its clock does not run away",
+        "routes/ida/ida_clock.c",
+        "ida->clock.ahead += over(",
+        "ida->clock.ahead += 0 * over(",
+    ),
+    Fault(
+        "ida: a step ends a rounding beside its end",
+        "routes/ida/route_ida.c",
+        "y[i] + later * yp[i]",
+        "y[i] + 0 * later * yp[i]",
+    ),
+    Fault(
+        "ida: steps follow the rounding of the time",
+        "routes/ida/ida_rounding.c",
+        "x->residual[m->nq + i] += x->timed[i]",
+        "x->residual[m->nq + i] += 0 * x->timed[i]",
+    ),
+    Fault(
         "ida: rounding ends no iteration",
         "routes/ida/ida_newton.c",
         "if (is_rounding(r, change)) return",
