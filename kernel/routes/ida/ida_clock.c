@@ -1,9 +1,9 @@
 /* ida_clock.c - the time that IDA's steps sum up to.
  *
  * IDA adds each step to its clock and rounds the sum, but it integrates over the step as it is: the state belongs to the sum
- * without rounding.  The clock runs away from that, where steps are alike always to one side, by some roundings of the time in
- * all.  A narrow pulse late in a run has moved beside the motion then, in every run alike.  What rounding takes from each sum is
- * known exactly (O. Moller, BIT 5, 1965), and is kept here: forces are taken at the time of the steps, and runs end at it. */
+ * without rounding.  The clock runs away from that, where steps are alike to one side, by some tens of roundings in all.
+ * A narrow pulse late in a run would move beside the motion, in every run alike.  What rounding takes from a sum is known
+ * exactly (O. Moller, BIT 5, 1965), and kept here: forces are taken at the time of the steps, and runs end at it. */
 #include "routes/ida/ida.h"
 
 /* By how much `shown` is more than clock + step. */

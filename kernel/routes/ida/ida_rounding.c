@@ -1,9 +1,10 @@
 /* ida_rounding.c - how far rounding moves the unknowns of ida_system.c.
  *
  * The terms of the residual are known to eps of themselves: of a constraint to eps sum |G_k| (|q_k| + size), of its rate
- * likewise, of what is prescribed at t, and of forces, to eps t times its rate, of y' to eps cj y.  What meets the equations to that moves
- * about by J^-1 of it, a light wheel on a long cord by many times its own rounding.  J^-1 is applied to such residuals with
- * several patterns of signs; until the first factors are there each constraint is taken alone: W |G| r / (G W G^T). */
+ * likewise, of what is prescribed at t, and of forces, to eps t times its rate, of y' to eps cj y.  What meets the equations
+ * to that moves about by J^-1 of it, a light wheel on a long cord by many times its own rounding.  J^-1 is applied to such
+ * residuals with several patterns of signs; until the first factors are there each constraint is taken alone:
+ * W |G| r / (G W G^T). */
 #include <math.h>
 #include <string.h>
 
