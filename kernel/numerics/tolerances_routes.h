@@ -82,6 +82,8 @@
 #define PM_RK_SIDESTEP 1.2 /* of a step: a little longer or shorter, its stages are elsewhere; more: loses length */
 #define PM_RK_SIDESTEPS 12 /* tries past a singular stage; more would only put off the shrinking */
 #define PM_RK_REST_OF_HALF 0.1 /* of a half of a main run's step: what is left of it is not worth a step; more: halves that are uneven */
+#define PM_RK_SAME_PLACE 1e-3 /* of a step: places of one event while it is looked for; more: two events are one */
+#define PM_RK_NOTED 64 /* ends of steps and places within them of a run that takes few; less: errors there may be told too small */
 #define PM_RK_NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified below; more: side steps in vain */
 #define PM_RK_OVER 0.3 /* of the motion's own time: a first step that passes a singular position; more: less accurate */
 #define PM_RK_LEDGER_STEPS 16 /* steps from one that integrates the ledger to the next; more: a thinner audit */

@@ -13,12 +13,13 @@ typedef struct pm_accuracy {
     int npass;
     int runs_find; /* a pass goes through find.c */
     pm_pass pass[3], *main, *other, *spare, *last;
-    const pm_pass *before;   /* the main pass before, at a looser tolerance; NULL: there is none */
-    double *neighbours;      /* [nout] scratch: errors of a list */
-    pm_natural_size size;    /* of asks and triggers, at the end of the main pass */
-    double late;             /* s: the error of the state at the end, as a time along its motion */
-    double *kept;            /* [nout] errors of the main pass, while another is tried */
-    pm_closest closest;      /* decision of the main pass, as its log, or the route, tells it */
+    const pm_pass *before; /* the main pass before, at a looser tolerance; NULL: there is none */
+    double *neighbours;    /* [nout] scratch: errors of a list */
+    pm_natural_size size;  /* of asks and triggers, at the end of the main pass */
+    double late;           /* s: the error of the state at the end, as a time along its motion */
+    double apart;       /* how far its comparison is from the main pass, of the sizes of what is compared */
+    double *kept;       /* [nout] errors of the main pass, while another is tried */
+    pm_closest closest; /* decision of the main pass, as its log, or the route, tells it */
     unsigned char *discrete; /* [nask] integers and yes or no: they have no error, but a margin */
 } pm_accuracy;
 

@@ -6,8 +6,10 @@
  *     error = max(spread |a' - a| / PM_COARSER, PM_ACCURACY_CLAIMED scale, PM_ACCURACY_OF_TERMS terms,
  *                 PM_ACCURACY_OF_STEP steps |a|, PM_ACCURACY_OF_MOTION late |da/dt|)
  *
- * Beside a main pass before, at a looser tolerance, it is at least spread |a - a''| tolerance / tolerance''; in a list no value is
- * known better than its neighbours.
+ * Beside a main pass before, at a looser tolerance, it is at least spread |a - a''| tolerance / tolerance''.  In a list no value is
+ * known better than its neighbours; another answer is known no better than PM_ACCURACY_OF_OTHERS of what the two runs differ by
+ * elsewhere, each difference over the size of what differs, but then by PM_ACCURACY_CHANCE times its own difference at the most: an
+ * early answer may well be better known than a late one.
  * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size; terms: how much
  * if all that it reads changed by the greatest of its kind in the run (natural_size.c).  An error is as great as asked where it
  * is accuracy times the greater of both. */
@@ -93,11 +95,47 @@ static void spread_over_neighbours(int n, double *error, double *spare)
             if (isfinite(spare[i])) error[k] = pm_max(spare[i], error[k]);
 }
 
+/* What an answer is measured by: what it would change by if the state, or all that it reads, changed by its own size. */
+static double size_of(const pm_accuracy *e, int ask, int column)
+{
+    return fmax(scale_of(e, ask, column), e->size.terms[ask]);
+}
+
+/* It is no list, and nobody but the difference of two runs knows its error. */
+static int is_single(const pm_accuracy *e, const int32_t *row)
+{
+    return row[PM_ASK_COUNT] == 1 && isnan(e->main->error[row[PM_ASK_OUT]]);
+}
+
+/* By how much of their sizes the two runs differ at the most: in the state at the end, and in single answers. */
+static double find_apart(const pm_workspace *w)
+{
+    const pm_accuracy *e = w->accuracy;
+    double apart = pm_case_apart(&w->numbers, w->model->nq, e->main->end, e->other->end);
+    for (int i = 0; i < w->model->nask; i++) {
+        const int32_t *row = PM_ASK_ROW(w->model, i);
+        if (e->discrete[i] || !is_single(e, row)) continue;
+        const int k = row[PM_ASK_OUT];
+        const double off = fabs(e->main->out[k] - e->other->out[k]) / size_of(e, i, k);
+        if (isfinite(off)) apart = pm_max(off, apart);
+    }
+    return apart;
+}
+
+/* The least error of a single answer, of which the difference of the two runs tells this one: that may be small by chance. */
+static double beside_others(const pm_workspace *w, double share, int ask, int column, double error)
+{
+    const pm_accuracy *e = w->accuracy;
+    if (!is_single(e, PM_ASK_ROW(w->model, ask))) return 0;
+    return fmin(PM_ACCURACY_CHANCE * error,
+                PM_ACCURACY_OF_OTHERS * share * e->apart * size_of(e, ask, column));
+}
+
 /* An error over what the accuracy asked allows. */
 static double excess_of(const pm_workspace *w, int ask, int column, double error)
 {
     const pm_accuracy *e = w->accuracy;
-    return error / (w->numbers.accuracy * fmax(scale_of(e, ask, column), e->size.terms[ask]));
+    return error / (w->numbers.accuracy * size_of(e, ask, column));
 }
 
 /* Errors of one ask; the greatest over what the accuracy asked allows. */
@@ -107,8 +145,10 @@ static double judge_ask(const pm_workspace *w, int ask, double share, double *er
     const int first = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, ask)[PM_ASK_COUNT];
     const double late = is_of_end(w, ask) ? PM_ACCURACY_OF_MOTION * e->late * e->size.rate[ask] : 0;
     double excess = 0;
-    for (int k = first; k < first + n; k++)
-        error[k] = isnan(e->main->out[k]) ? NAN : fmax(estimate(w, share, k), late);
+    for (int k = first; k < first + n; k++) {
+        const double own = estimate(w, share, k);
+        error[k] = isnan(e->main->out[k]) ? NAN : fmax(fmax(own, beside_others(w, share, ask, k, own)), late);
+    }
     if (n > 1 && isnan(e->main->error[first])) spread_over_neighbours(n, error + first, e->neighbours);
     for (int k = first; k < first + n; k++) {
         if (isnan(error[k])) continue;
@@ -217,6 +257,7 @@ void pm_judge(pm_workspace *w, double *error, double *trust)
     const int alike = pm_margin_same_jumps(w->accuracy);
     const double of_errors = share_of(&w->phase, w->accuracy), share = alike ? of_errors : fmax(1, of_errors);
     find_late(w, share);
+    w->accuracy->apart = alike ? find_apart(w) : 0;
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
     if (w->evidence.seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = pm_margin_judge(w->accuracy, share);

@@ -97,6 +97,12 @@ FAULTS = [
         "if (0) h = coarse_step",
     ),
     Fault(
+        "coarse run: takes a step of the main one to where that ended within a longer one",
+        "routes/rk/rk_state.c",
+        "if (!pm_evidence_is_coarse(&w->evidence)) note_place(r, t);",
+        "",
+    ),
+    Fault(
         "coarse run: takes the few steps of the main one",
         "routes/rk/route_rk.c",
         "if (pm_evidence_is_fine(&w->evidence)) h =",

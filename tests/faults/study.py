@@ -162,4 +162,10 @@ FAULTS = [
         "x->in_time != y->in_time",
         "x->in_time > 2",
     ),
+    Fault(
+        "errors: what two runs tell alike by chance is believed",
+        "study/judge.c",
+        "fmax(fmax(own, beside_others(w, share, ask, k, own)), late)",
+        "fmax(own, late)",
+    ),
 ]

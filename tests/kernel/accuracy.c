@@ -93,8 +93,8 @@ static void promise(void)
     }
 }
 
-/* For a time in which rk takes few steps. */
-static scene *two_rods(double accuracy, const double *angle, double time)
+/* For a time in which rk takes few steps, or (time 0) until the upper rod has fallen by an angle, which is within a step. */
+static scene *two_rods(double accuracy, const double *angle, double time, double fallen)
 {
     scene *s = estimating(accuracy);
     *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
@@ -102,20 +102,26 @@ static scene *two_rods(double accuracy, const double *angle, double time)
     scene_ask_measure(s, scene_measure(s, PM_MEASURE_ANGLE, upper));
     scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, scene_point(s, lower, 0.5, 0), PM_PART_Y));
     scene_ask_measure(s, scene_measure(s, PM_MEASURE_OMEGA, lower));
-    scene_until_time(s, time);
+    const int turned = scene_measure(s, PM_MEASURE_TURNED, upper);
+    if (time > 0)
+        scene_until_time(s, time);
+    else
+        scene_until(s, scene_when(s, PM_TRIGGER_FALL, scene_minus(s, turned, -fallen)), 1);
     EQUAL(scene_run(s, NULL), PM_OK);
     return s;
 }
 
-/* The coarse run of one that takes few steps does not err like it: none of 3000 errors is three times its estimate, and hardly one
- * more than it, though the difference of two runs may be small by chance. */
-static void few_steps(void)
+/* The coarse run of one that takes few steps does not err like it, wherever in a step it ends: none of 3000 errors is three times its
+ * estimate, and hardly one more than it, though the difference of two runs may be small by chance. */
+static void few_steps(int within)
 {
     int beyond = 0, more = 0, single = 0;
     for (int i = 0; i < 1000; i++) {
-        const double angle[] = {check_random(-3, 1), check_random(-3, 1)}, time = check_random(0.05, 0.6);
-        scene *s = two_rods(pow(10, check_random(-6, -4)), angle, time),
-              *exact = two_rods(1e-12, angle, time);
+        const double most = within ? -1 : -3, fallen = check_random(0.02, 0.5),
+                     angle[] = {check_random(most, 1), check_random(most, 1)},
+                     time = within ? 0 : check_random(0.05, 0.6);
+        scene *s = two_rods(pow(10, check_random(-6, -4)), angle, time, fallen),
+              *exact = two_rods(1e-12, angle, time, fallen);
         single += s->count[PM_COUNT_STEPS] == 1;
         for (int k = 0; k < 3; k++) {
             const double off = fabs(s->out[k] - exact->out[k]);
@@ -125,9 +131,23 @@ static void few_steps(void)
         scene_free(s);
         scene_free(exact);
     }
-    CHECK(single > 10);
+    CHECK(single > 4);
     EQUAL(beyond, 0);
     CHECK(more < 8); /* 0.25 % */
+}
+
+/* Two runs may tell one answer alike by chance, but hardly all of them: none is told far better than the others. */
+static void by_chance(void)
+{
+    int alone = 0;
+    for (int i = 0; i < 1000; i++) {
+        const double angle[] = {check_random(-3, 1), check_random(-3, 1)};
+        scene *s = two_rods(pow(10, check_random(-6, -3)), angle, check_random(1, 3), 0);
+        const double greatest = fmax(fmax(s->error[0], s->error[1]), s->error[2]);
+        for (int k = 0; k < 3; k++) alone += s->error[k] < 1e-2 * greatest;
+        scene_free(s);
+    }
+    CHECK(alone < 15); /* of 3000 answers: what is told of one is raised by a factor at the most */
 }
 
 /* A double pendulum whose lower rod is driven by a couple that is switched 200 times a second, in a frame turned by an angle. */
@@ -283,7 +303,7 @@ static void clock_errors(void)
         scene_free(s);
     }
     CHECK(covered >= 0.95 * all);
-    CHECK(close >= 0.5 * all);
+    CHECK(close >= 0.3 * all);
     scene *s = pendulum(1e-9, 1, 0); /* ends where its acceleration says so */
     *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
     scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_minus(s, scene_measure(s, PM_MEASURE_ALPHA, 0), -3)),
@@ -319,7 +339,7 @@ static void slow_over_the_top(void)
         scene_free(s);
     }
     CHECK(covered >= 0.9 * all);
-    CHECK(close >= 0.5 * all);
+    CHECK(close >= 0.3 * all);
 }
 
 int main(void)
@@ -327,7 +347,9 @@ int main(void)
     calibrated();
     switched_off();
     promise();
-    few_steps();
+    few_steps(0);
+    few_steps(1);
+    by_chance();
     rounded_alike();
     margins();
     rounding();

@@ -33,8 +33,8 @@ struct pm_rk {
     double t0, h;         /* the last step as integrated */
     double end;           /* where it ended */
     double next;          /* step to try next, 0: none known */
-    /* where the first steps of the main run began and ended, cut by what came within them */
-    double ended[2 * PM_ACCURACY_FEW];
+    /* where the first steps of the main run began and ended, and where exact states were wanted in between */
+    double ended[PM_RK_NOTED];
     int nended;
     int dense_ready, k0_ready;
     pm_energy_level_level level; /* of the energy, where it is kept */

@@ -99,12 +99,32 @@ static int in_halves(pm_workspace *w, double t)
     return status;
 }
 
+/* Where an exact state is wanted in a step of the main run: the step that leads to it ends there.  While an event is looked for each
+ * place takes that of the one before. */
+static void note_place(struct pm_rk *r, double t)
+{
+    int i = r->nended - 1;
+    if (i < 0 || t <= r->t0 || t >= r->ended[i]) return;
+    while (i > 0 && r->ended[i - 1] >= t) i--;
+    const double near = PM_RK_SAME_PLACE * r->h;
+    const int is_next = i < r->nended - 1 && r->ended[i] - t <= near;
+    const int is_last = i > 0 && r->ended[i - 1] > r->t0 && t - r->ended[i - 1] <= near;
+    if (is_next || is_last) {
+        r->ended[is_next ? i : i - 1] = t;
+    } else if (r->nended < PM_RK_NOTED / 2) { /* the rest is for ends of steps */
+        memmove(r->ended + i + 1, r->ended + i, (size_t)(r->nended - i) * sizeof *r->ended);
+        r->ended[i] = t;
+        r->nended++;
+    }
+}
+
 int pm_rk_exact(pm_workspace *w, double t, pm_state *s)
 {
     struct pm_rk *r = w->rk;
     const size_t bytes = (size_t)r->all * sizeof(double);
     double gained;
     int status = PM_OK;
+    if (!pm_evidence_is_coarse(&w->evidence)) note_place(r, t);
     if (s != &w->state) pm_state_copy(s, &w->state);
     if (t == r->t0) {
         memcpy(r->y, r->y0, bytes);

@@ -168,15 +168,14 @@ static void disturb(pm_evidence *evidence, struct pm_rk *r)
 
 static void note_end(struct pm_rk *r, double t)
 {
-    if (r->nended < 2 * PM_ACCURACY_FEW) r->ended[r->nended++] = t;
+    if (r->nended < PM_RK_NOTED) r->ended[r->nended++] = t;
 }
 
 /* A step from t0 to t: the one before may have been cut, or another route was here in between. */
 static void note_step(struct pm_rk *r, double t)
 {
-    double *const last = r->nended > 0 ? &r->ended[r->nended - 1] : NULL;
-    if (last && *last > r->t0) *last = r->t0;
-    if (!last || *last < r->t0) note_end(r, r->t0);
+    while (r->nended > 0 && r->ended[r->nended - 1] > r->t0) r->nended--;
+    if (r->nended == 0 || r->ended[r->nended - 1] < r->t0) note_end(r, r->t0);
     note_end(r, t);
 }
 
