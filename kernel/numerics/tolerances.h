@@ -309,7 +309,7 @@
 #define PM_ACCURACY_OF_TERMS 4e-15 /* of the greatest terms: some roundings of each; more: hides accuracy that is there */
 #define PM_ACCURACY_OF_STEP 2e-16 /* of an answer, for each step: rounding that goes to one side; more: errors of long runs estimated larger */
 #define PM_ACCURACY_OF_MOTION 0.1 /* of the error of the state at the end, as a time: least error of what is asked there; more: told too large; less: differences that are small by chance are believed */
-#define PM_ACCURACY_OF_OTHERS 0.1 /* of the greatest difference of two runs, over the size of what differs: least error of any answer; likewise */
+#define PM_ACCURACY_OF_OTHERS 0.03 /* of the greatest difference of two runs, over the size of what differs: least error of any answer; likewise */
 #define PM_ACCURACY_CHANCE 100 /* times its own error that is at the most; more: early answers of unstable motion told too large; less: as above */
 #define PM_ACCURACY_NEIGHBOURS 8 /* part of a list that is known no better than its worst value; more: errors that are small by chance are believed */
 #define PM_SCALES_TIMES 0.01 /* of the accuracy: rounded times make more of a pulse, and errors do not go with the tolerance alone; more: they are told too small */

@@ -7,9 +7,9 @@
  *                 PM_ACCURACY_OF_STEP steps |a|, PM_ACCURACY_OF_MOTION late |da/dt|)
  *
  * Beside a main pass before, at a looser tolerance, it is at least spread |a - a''| tolerance / tolerance''.  In a list no value is
- * known better than its neighbours; another answer is known no better than PM_ACCURACY_OF_OTHERS of what the two runs differ by
- * elsewhere, each difference over the size of what differs, but then by PM_ACCURACY_CHANCE times its own difference at the most: an
- * early answer may well be better known than a late one.
+ * known better than its neighbours.  Where errors go with the tolerance another answer is known no better than PM_ACCURACY_OF_OTHERS
+ * of what the two runs differ by elsewhere, each difference over the size of what differs; its own error grows by PM_ACCURACY_CHANCE
+ * at the most, as an early answer may well be better known than a late one.
  * scale is the natural size of the ask: |a|, or how much it would change if the state changed by its own size; terms: how much
  * if all that it reads changed by the greatest of its kind in the run (natural_size.c).  An error is as great as asked where it
  * is accuracy times the greater of both. */
@@ -257,7 +257,7 @@ void pm_judge(pm_workspace *w, double *error, double *trust)
     const int alike = pm_margin_same_jumps(w->accuracy);
     const double of_errors = share_of(&w->phase, w->accuracy), share = alike ? of_errors : fmax(1, of_errors);
     find_late(w, share);
-    w->accuracy->apart = alike ? find_apart(w) : 0;
+    w->accuracy->apart = alike && w->phase.route->steps_by_tolerance > 0 ? find_apart(w) : 0;
     trust[PM_TRUST_EXCESS] = judge_answers(w, share, error);
     if (w->evidence.seeks) judge_found(w, share, error);
     trust[PM_TRUST_MARGIN] = pm_margin_judge(w->accuracy, share);
