@@ -75,7 +75,8 @@ typedef struct pm_ida_rounding {
 /* IDA's clock. */
 typedef struct pm_ida_clock {
     double now;   /* what it shows after the last step, s */
-    double ahead; /* of the time that the steps sum up to, s */
+    double ahead; /* of the time that the steps sum up to, s; 0 where nothing follows the time */
+    int matters;  /* something does */
 } pm_ida_clock;
 
 typedef struct pm_ida {
@@ -111,8 +112,8 @@ static inline int pm_ida_place_mu(const pm_model *model, const pm_ida *ida)
 }
 
 /* ---- ida_clock.c ---- */
-/* A phase begins at the time t. */
-void pm_ida_clock_begin(pm_ida *ida, double t);
+/* A phase begins at the time t, in which something follows the time, or nothing does. */
+void pm_ida_clock_begin(pm_ida *ida, double t, int matters);
 /* IDA has made a step, or none; returns its code. */
 int pm_ida_clock_follow(pm_ida *ida);
 /* The time of what IDA asks for at `shown`, while it tries a step. */

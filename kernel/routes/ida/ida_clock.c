@@ -14,7 +14,10 @@ static double over(double clock, double step, double shown)
     return (shown - sum) - lost;
 }
 
-void pm_ida_clock_begin(pm_ida *ida, double t) { ida->clock = (pm_ida_clock){.now = t}; }
+void pm_ida_clock_begin(pm_ida *ida, double t, int matters)
+{
+    ida->clock = (pm_ida_clock){.now = t, .matters = matters};
+}
 
 int pm_ida_clock_follow(pm_ida *ida)
 {
@@ -22,7 +25,7 @@ int pm_ida_clock_follow(pm_ida *ida)
     int flag = IDAGetCurrentTime(ida->memory, &now);
     if (flag == IDA_SUCCESS) flag = IDAGetLastStep(ida->memory, &step);
     if (flag != IDA_SUCCESS || now == ida->clock.now) return flag;
-    ida->clock.ahead += over(ida->clock.now, step, now);
+    if (ida->clock.matters) ida->clock.ahead += over(ida->clock.now, step, now);
     ida->clock.now = now;
     return flag;
 }
@@ -30,7 +33,7 @@ int pm_ida_clock_follow(pm_ida *ida)
 double pm_ida_clock_tried(const pm_ida *ida, double shown)
 {
     double step;
-    if (IDAGetCurrentStep(ida->memory, &step) != IDA_SUCCESS) return shown;
+    if (!ida->clock.matters || IDAGetCurrentStep(ida->memory, &step) != IDA_SUCCESS) return shown;
     return shown - (ida->clock.ahead + over(ida->clock.now, step, shown));
 }
 

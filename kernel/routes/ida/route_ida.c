@@ -19,6 +19,7 @@
 #include "events/ask.h"
 #include "events/event.h"
 #include "events/gap_culling.h"
+#include "events/time_course.h"
 #include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
 #include "scene/build.h"
@@ -219,7 +220,7 @@ static int begin(pm_workspace *w)
     if (flag != IDA_SUCCESS) return failed(&w->result, flag);
     first = fmin(first, fmax(PM_IDA_SHORTEST * first, PM_IDA_FLIGHT * begin_functions(w)));
     flag = IDASetInitStep(r->memory, isfinite(first) ? first : 0); /* 0: as IDA thinks fit */
-    pm_ida_clock_begin(r, w->state.t);
+    pm_ida_clock_begin(r, w->state.t, pm_time_course_is_any(w) || pm_model_is_driven(w->model));
     r->first = r->last = w->state.t;
     return flag == IDA_SUCCESS ? PM_OK : failed(&w->result, flag);
 }
