@@ -28,6 +28,24 @@ FAULTS = [
         "(pm_lanes_load(x + 2) - 1.0000000000001 * b)",
     ),
     Fault(
+        "rk: what a weak pulse beside a strong one adds to a step is not seen",
+        "routes/rk/route_rk.c",
+        "error <= 1 ? fmax(pm_rk_time_error(w, h), error) : error",
+        "error",
+    ),
+    Fault(
+        "rk: rounding of the time makes steps short",
+        "routes/rk/rk_time.c",
+        "fmax(fabs(sum) - rounding, 0)",
+        "fabs(sum)",
+    ),
+    Fault(
+        "rk: a motion from rest is measured by the speed where the step begins",
+        "routes/rk/route_rk.c",
+        "if (!(at_end > PM_FASTER * speed)) return error;",
+        "return error;",
+    ),
+    Fault(
         "rk: stiffness is not seen",
         "routes/rk/rk_stiff.c",
         "stretch(w) > PM_RK_STABLE",

@@ -1,8 +1,6 @@
 /* dop853.h - coefficients of the explicit Runge-Kutta pair of order 8 by Dormand and Prince with its error estimators of
  * order 5 and 3 and its dense output of order 7: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential
- * Equations I, 2nd ed., section II.5 and II.6.  The estimator of order 6 is not theirs: its weights are, but for a factor, the only
- * ones of these stages that vanish for all trees up to order 6; on the trees of order 7 they are about as great as those of
- * order 5 on theirs, within steps of the usual length.  Stages 0..11 make the step, 12 is the derivative at its end, 13..15 serve
+ * Equations I, 2nd ed., section II.5 and II.6.  Stages 0..11 make the step, 12 is the derivative at its end, 13..15 serve
  * the dense output. */
 #ifndef PM_DOP853_H
 #define PM_DOP853_H
@@ -68,14 +66,32 @@ static const double step_weight[12] = {0.054293734116568765,
                                        -0.1521609496625161,
                                        0.20136540080403034,
                                        0.04471061572777259};
-/* Of the errors of order 3, 5 and 6. */
-static const double error_weight[3][12] = {
-    {-0.18980075407240762, 0.0, 0.0, 0.0, 0.0, 4.450312892752409, 1.8915178993145003, -5.801203960010585,
-     -0.4226823213237919, -0.1521609496625161, 0.20136540080403034, 0.02265179219836082},
-    {0.01312004499419488, 0.0, 0.0, 0.0, 0.0, -1.2251564463762044, -0.4957589496572502, 1.6643771824549864,
-     -0.35032884874997366, 0.3341791187130175, 0.08192320648511571, -0.022355307863886294},
-    {0.046574803149606304, 0.0, 0.0, 0.0, 0.0, -12.645263929618789, -3.902785190753618, 15.925057187745503,
-     -1.3271035785004226, 1.8530701754385956, 0.050450532539123745, 0.0}};
+static const double error_weight_3[13] = {-0.18980075407240762,
+                                          0.0,
+                                          0.0,
+                                          0.0,
+                                          0.0,
+                                          4.450312892752409,
+                                          1.8915178993145003,
+                                          -5.801203960010585,
+                                          -0.4226823213237919,
+                                          -0.1521609496625161,
+                                          0.20136540080403034,
+                                          0.02265179219836082,
+                                          0.0};
+static const double error_weight_5[13] = {0.01312004499419488,
+                                          0.0,
+                                          0.0,
+                                          0.0,
+                                          0.0,
+                                          -1.2251564463762044,
+                                          -0.4957589496572502,
+                                          1.6643771824549864,
+                                          -0.35032884874997366,
+                                          0.3341791187130175,
+                                          0.08192320648511571,
+                                          -0.022355307863886294,
+                                          0.0};
 static const double dense_weight[4][16] = {
     {-8.428938276109013, 0.0, 0.0, 0.0, 0.0, 0.5667149535193777, -3.0689499459498917, 2.38466765651207,
      2.117034582445028, -0.871391583777973, 2.2404374302607883, 0.6315787787694688, -0.08899033645133331,

@@ -3,6 +3,7 @@
  *   route_rk.c       the route: begin, errors allowed, step control
  *   rk_derivative.c  y'
  *   rk_formula.c     stages and end of a step, its error, y inside it
+ *   rk_time.c        how far a step is off by what time does to forces and drives
  *   rk_stiff.c       whether stability makes the steps short
  *   rk_state.c       y as a state; states inside the last step: at, exact, look
  *
@@ -16,17 +17,26 @@
 
 #define PM_RK_DENSE 7 /* coefficients of the dense output */
 
+/* A program of the time that acts on the motion. */
+typedef struct pm_rk_timed {
+    int program, derivative; /* that derivative of it by the time acts on velocities */
+    double gain;             /* what a unit of that makes of a velocity in a unit of time */
+} pm_rk_timed;
+
 struct pm_rk {
-    int n;                /* coordinates of the phase */
-    int all;              /* 2 n + nz */
-    int controlled;       /* 2 n + nz_controlled: what stages need */
-    double *now;          /* [all] at w->state */
-    double *y0, *y;       /* [all] begin of the step; stage */
-    double *k;            /* [ALL_STAGES][all] */
-    double *side;         /* [STAGES][all] stages of pm_rk_exact, so that the dense output stays */
-    double *dense;        /* [PM_RK_DENSE][controlled] */
-    double *middle;       /* [all] between the halves of a step */
-    double *scale;        /* [controlled] reciprocal error weights */
+    int n;              /* coordinates of the phase */
+    int all;            /* 2 n + nz */
+    int controlled;     /* 2 n + nz_controlled: what stages need */
+    double *now;        /* [all] at w->state */
+    double *y0, *y;     /* [all] begin of the step; stage */
+    double *k;          /* [ALL_STAGES][all] */
+    double *side;       /* [STAGES][all] stages of pm_rk_exact, so that the dense output stays */
+    double *dense;      /* [PM_RK_DENSE][controlled] */
+    double *middle;     /* [all] between the halves of a step */
+    double *scale;      /* [controlled] reciprocal error weights */
+    double tolerance;   /* in these: relative */
+    pm_rk_timed *timed; /* [ntimed] */
+    int ntimed;
     double own;           /* the motion's own time at the end of the last step */
     double rotation_time; /* that of the bodies' turning alone */
     double meeting;       /* that of open contacts (gap_culling.c) */
@@ -62,6 +72,10 @@ int pm_rk_dense(pm_workspace *w, double t);
 
 /* Y of the last stage, which is at the end of the step as y is. */
 void pm_rk_last_stage(const struct pm_rk *r, double *y);
+
+/* rk_time.c: a phase begins; the error of the step h from r->t0 over the allowed one. */
+void pm_rk_time_begin(pm_workspace *w);
+double pm_rk_time_error(const pm_workspace *w, double h);
 
 /* rk_stiff.c: after a step, its derivative at the end in k. */
 void pm_rk_look_for_stiffness(pm_workspace *w);

@@ -2,8 +2,7 @@
  *
  *   y_s = y0 + h sum_j a_sj k_j,    k_s = y'(t0 + c_s h, y_s),    y1 = y0 + h sum_s b_s k_s
  *
- * Error in the norm of Hairer, Norsett, Wanner I, II.10, but that the error of order 6 stands beside that of order 5: this goes
- * through zero along a motion, and a step that is taken there, far too long, would be accepted.  With x = (t - t0) / h the dense output is
+ * Error in the norm of Hairer, Norsett, Wanner I, II.10.  With x = (t - t0) / h the dense output is
  *
  *   y(t) = y0 + x (d_0 + (1 - x) (d_1 + x (d_2 + (1 - x) (d_3 + ...)))) */
 #include <math.h>
@@ -63,35 +62,28 @@ void pm_rk_last_stage(const struct pm_rk *r, double *y)
     combine(r->controlled, r->all, r->y0, r->h, stage_time[s], stage_weight[s], stage_from[s], s, r->k, y);
 }
 
-/* Sums of the squares of scale times sum_k error_weight[.][k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
-static void find_error_squares(const struct pm_rk *r, double square[3])
+/* Sum of the squares of scale times sum_k weight[k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
+static double error_square(const struct pm_rk *r, const double *weight)
 {
     const int n = r->controlled;
-    pm_lanes sum[3] = {{0, 0}, {0, 0}, {0, 0}};
+    pm_lanes sum = {0, 0};
     for (int i = 0; i < n; i += 2) {
-        const double *k = r->k + i; /* one number more than there are is read, not used */
-        const pm_lanes first = pm_lanes_load(k), scale = pm_lanes_load(r->scale + i);
-        pm_lanes e[3];
-        for (int o = 0; o < 3; o++) e[o] = error_weight[o][0] * first;
-        k += STEP_FROM * r->all;
-        for (int s = STEP_FROM; s < STAGES; s++, k += r->all)
-            for (int o = 0; o < 3; o++) e[o] += error_weight[o][s] * pm_lanes_load(k);
-        for (int o = 0; o < 3; o++) {
-            e[o] *= scale;
-            if (i + 1 == n) e[o][1] = 0;
-            sum[o] += e[o] * e[o];
-        }
+        const double *k =
+            r->k + STEP_FROM * r->all + i; /* one number more than there are is read, not used */
+        pm_lanes e = weight[0] * pm_lanes_load(r->k + i);
+        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * pm_lanes_load(k);
+        e *= pm_lanes_load(r->scale + i);
+        if (i + 1 == n) e[1] = 0;
+        sum += e * e;
     }
-    for (int o = 0; o < 3; o++) square[o] = sum[o][0] + sum[o][1];
+    return sum[0] + sum[1];
 }
 
 double pm_rk_error(const struct pm_rk *r, double h)
 {
-    double square[3]; /* of the errors of order 3, 5, 6 */
-    find_error_squares(r, square);
-    const double of_order_5 = square[1] + square[2];
-    return of_order_5 == 0 ? 0
-                           : fabs(h) * of_order_5 / sqrt((of_order_5 + 0.01 * square[0]) * r->controlled);
+    const double sum5 = error_square(r, error_weight_5);
+    return sum5 == 0 ? 0
+                     : fabs(h) * sum5 / sqrt((sum5 + 0.01 * error_square(r, error_weight_3)) * r->controlled);
 }
 
 static int prepare_dense(pm_workspace *w)

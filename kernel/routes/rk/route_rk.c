@@ -40,6 +40,7 @@ static int create(pm_workspace *w)
         PM_ARRAY(r->side, STAGES * n),
         PM_ARRAY(r->dense, PM_RK_DENSE * n),
         PM_ARRAY(r->middle, n),
+        PM_ARRAY(r->timed, 2 * w->model->rows[PM_TABLE_FORCE] + w->model->nconstraint),
     };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
@@ -51,7 +52,7 @@ static void set_scale(pm_workspace *w)
     /* in independent coordinates the others are found by closing loops: there errors of the place count,
      * too */
     const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->part.few;
-    const double tolerance =
+    const double tolerance = r->tolerance =
         fmax((on_level ? PM_RK_LEVEL_MARGIN : PM_RK_MARGIN) * w->numbers.tolerance, PM_RK_TIGHTEST);
     for (int i = 0; i < r->n; i++) {
         const int angle = pm_tree_is_angle(w->tree, i);
@@ -93,6 +94,7 @@ static int begin(pm_workspace *w)
     if (w->state.t > r->end) r->next = 0; /* another route was here in between */
     pm_energy_level_begin(w, &r->level);
     set_scale(w);
+    pm_rk_time_begin(w);
     return PM_OK;
 }
 
@@ -265,6 +267,37 @@ static double coarse_step(const pm_workspace *w, double h, int begins, double wh
     return begins && h >= w->numbers.coarse * whole ? 0.5 * whole : h;
 }
 
+static double speed_at_end(const pm_workspace *w)
+{
+    const struct pm_rk *r = w->rk;
+    double fastest = 0;
+    for (int i = 0; i < r->n; i++)
+        fastest =
+            pm_max(fabs(r->y[r->n + i]) * (pm_tree_is_angle(w->tree, i) ? w->numbers.size : 1), fastest);
+    return fastest;
+}
+
+static double error_over_allowed(const pm_workspace *w, double h)
+{
+    const double error = pm_rk_error(w->rk, h);
+    return error <= 1 ? fmax(pm_rk_time_error(w, h), error) : error;
+}
+
+/* The error of a step over the allowed one.  A motion that begins from rest has a speed at the end of the step: that counts. */
+static double error_of(pm_workspace *w, double h)
+{
+    const double error = error_over_allowed(w, h), speed = w->numbers.speed;
+    if (!(error > 1)) return error;
+    const double at_end = speed_at_end(w);
+    if (!(at_end > PM_FASTER * speed)) return error;
+    w->numbers.speed = at_end;
+    set_scale(w);
+    const double then = error_over_allowed(w, h);
+    w->numbers.speed = speed;
+    set_scale(w);
+    return then;
+}
+
 static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
@@ -289,7 +322,7 @@ static int step(pm_workspace *w, double t_limit)
                            PM_RK_LEAST_STEP * fabs(r->t0));
         pm_tree_forget_regular(w->tree);
         status = pm_rk_stages(w, h, r->k, r->y);
-        const double error = status ? INFINITY : pm_rk_error(w->rk, h);
+        const double error = status ? INFINITY : error_of(w, h);
         if (status && status != PM_SINGULAR) return status;
         if (error <= 1) {
             const double factor = error > 0 ? PM_RK_SAFETY * eighth_root_of_inverse(error) : PM_RK_GROW;
