@@ -299,6 +299,7 @@
 /* ---- study ---- */
 
 #define PM_ACCURACY_CLAIMED 1.2e-14 /* of an answer: least error that is claimed; more: hides accuracy that is there; less: rounding exceeds it */
+#define PM_ACCURACY_CLAIMED_PLACE 2e-14 /* the same of the place of an extreme; likewise */
 #define PM_ACCURACY_COARSE 1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
 #define PM_ACCURACY_FEW 16 /* steps of a run: two runs of few steps may err alike; more: estimates cost more; less: errors are told too small */
 #define PM_ACCURACY_REFINEMENTS 2 /* passes at tighter tolerances; more: longer runs that may not get better */

@@ -33,13 +33,23 @@ static double scale_of(const pm_accuracy *e, int ask, int column)
     return fmax(e->size.ask[ask], fabs(e->main->out[column]));
 }
 
-/* What an answer of this scale, made of these terms, is known to at the best.  Steps may all be rounded to one side. */
-static double least_error(const pm_pass *p, int column, double scale, double terms)
+/* Of what an answer is measured by: the least that is claimed.  Where something is greatest it is level, and rounding moves that
+ * place. */
+static double claimed(const int32_t *row)
 {
+    return pm_ask_at_extreme(row) ? PM_ACCURACY_CLAIMED_PLACE : PM_ACCURACY_CLAIMED;
+}
+
+/* What an answer is known to at the best.  Steps may all be rounded to one side. */
+static double least_error(const pm_workspace *w, int ask, int column)
+{
+    const pm_accuracy *e = w->accuracy;
+    const pm_pass *p = e->main;
     const double rounded =
         isnan(p->error[column]) ? PM_ACCURACY_OF_STEP * (double)p->count[PM_COUNT_STEPS] : 0;
-    return fmax(fmax(PM_ACCURACY_CLAIMED * scale, rounded * fabs(p->out[column])),
-                PM_ACCURACY_OF_TERMS * terms);
+    return fmax(
+        fmax(claimed(PM_ASK_ROW(w->model, ask)) * scale_of(e, ask, column), rounded * fabs(p->out[column])),
+        PM_ACCURACY_OF_TERMS * e->size.terms[ask]);
 }
 
 /* The error by the main pass at the looser tolerance before, if there was one: their difference is that one's error, and it is
@@ -152,8 +162,7 @@ static double judge_ask(const pm_workspace *w, int ask, double share, double *er
     if (n > 1 && isnan(e->main->error[first])) spread_over_neighbours(n, error + first, e->neighbours);
     for (int k = first; k < first + n; k++) {
         if (isnan(error[k])) continue;
-        error[k] = fmax(error[k], least_error(e->main, k, scale_of(e, ask, k), e->size.terms[ask])) +
-                   e->main->more[k];
+        error[k] = fmax(error[k], least_error(w, ask, k)) + e->main->more[k];
         excess = pm_max(excess_of(w, ask, k, error[k]), excess);
     }
     return excess;
@@ -211,8 +220,8 @@ int pm_judge_goes_with_tolerance(const pm_workspace *w)
         const int first = PM_ASK_ROW(w->model, i)[PM_ASK_OUT], n = PM_ASK_ROW(w->model, i)[PM_ASK_COUNT];
         for (int k = first; k < first + n; k++) {
             const double off = share * fabs(e->main->out[k] - e->other->out[k]);
-            const double least = least_error(e->main, k, scale_of(e, i, k), e->size.terms[i]);
-            if (!e->discrete[i] && off > fmax(PM_SCALES_ERRORS * beside_before(w, k), least)) return 0;
+            if (!e->discrete[i] && off > fmax(PM_SCALES_ERRORS * beside_before(w, k), least_error(w, i, k)))
+                return 0;
         }
     }
     return 1;

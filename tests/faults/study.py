@@ -87,8 +87,8 @@ FAULTS = [
     Fault(
         "error: zero is known exactly, whatever cancels in it",
         "study/judge.c",
-        "PM_ACCURACY_OF_TERMS * terms",
-        "0 * terms",
+        "PM_ACCURACY_OF_TERMS * e->size.terms[ask]",
+        "0 * e->size.terms[ask]",
     ),
     Fault(
         "find: a change of sign between samples is not seen",

@@ -3,8 +3,7 @@
  * The error that the stages tell (rk_formula.c) is divided by that of order 3, which measures what is strong and smooth in a step.  A
  * pulse that begins beside that shows in the last stages alone, is rough, and would count for next to nothing.  Programs of the time
  * can be read anywhere, though: the quadrature by the stages is compared with one that reads four more places, and is exact for
- * polynomials four degrees higher.  Their difference is the error of an impulse, and over the mass that it acts on one of a velocity.
- */
+ * polynomials four degrees higher.  Their difference is the error of an impulse, and over the mass that it acts on one of a velocity. */
 #include <math.h>
 
 #include "elements/constraint.h"
