@@ -1,4 +1,5 @@
-/* rk_steps.c - forces of time that begin within a step of rk, beside their integrals: weakly beside a strong one, and from rest. */
+/* rk_steps.c - forces of time that begin within a step of rk, beside their integrals: weakly beside a strong one, from rest, and
+ * late. */
 #include "check.h"
 #include "scene.h"
 
@@ -74,6 +75,22 @@ static double from_rest(void)
     return off;
 }
 
+/* Some roundings of the time are much to it. */
+static double late_and_narrow(void)
+{
+    int point, speed;
+    scene *s = at_rest(&point, &speed);
+    const double width = pow(10, check_random(-6, -5));
+    scene_set(s, PM_SETTING_ACCURACY, 1e-12);
+    push(s, point, bell(s, scene_time(s), check_random(0.5, 0.99), width, 1));
+    scene_until_time(s, 1);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    CHECK(s->count[PM_COUNT_STEPS] < 250);
+    const double off = fabs(s->out[speed] - 1);
+    scene_free(s);
+    return off;
+}
+
 static double greatest(double (*error)(void))
 {
     double most = 0;
@@ -84,6 +101,7 @@ static double greatest(double (*error)(void))
 int main(void)
 {
     NEAR(greatest(weak_beside_strong), 0, 2 * ACCURACY); /* 30 of it, where the stages alone tell */
+    NEAR(greatest(late_and_narrow), 0, 3e-10);           /* one rounding of the time is 1e-10 of the bell */
     NEAR(greatest(from_rest), 0, 2 * ACCURACY);
     return check_failures();
 }
