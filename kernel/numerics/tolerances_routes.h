@@ -27,6 +27,7 @@
 #define PM_BRIDGE_REACH 0.2 /* rad, or of the scene's size: from the centre to the places that bear a bridge; more: less exact */
 #define PM_BRIDGE_SERVES 0.5 /* of the reach: places taken from the bridge; more: less exact at its ends */
 #define PM_BRIDGE_STRIDE 0.25 /* of the reach: strides to the first place that bears; more: Newton may leave the branch */
+#define PM_BRIDGE_STRIDES 1e4 /* to the first place that bears, at the most; more: a place far away is sought in vain for long */
 #define PM_BRIDGE_MET 1e-11 /* of the scene's size: the loop constraints on the bridge are met; more: drift at singular positions */
 #define PM_PATH_FORM_TAIL 1e-8 /* tail of T at nodes that resolve it; more: places of rest are missed */
 #define PM_PATH_SPEED_TAIL 1e-6 /* tail of the speed where triggers watch it; more: dips over a barrier are missed */

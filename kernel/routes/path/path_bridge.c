@@ -90,11 +90,13 @@ static int build(pm_workspace *w, double u)
     pm_bridge *b = &p->bridge;
     double *const y = b->y, *const slope = b->slope;
     const double reach = reach_of(w), side = u > b->known ? -1 : 1; /* where the known place lies */
+    const double way = u + side * reach * support(0) - b->known;
+    const double strides = ceil(fabs(way) / (PM_BRIDGE_STRIDE * reach));
     double at = b->known;
+    if (!(strides <= PM_BRIDGE_STRIDES))
+        return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, strides, PM_BRIDGE_STRIDES);
     memcpy(y, b->known_y, (size_t)p->n * sizeof *y);
     memcpy(slope, b->known_slope, (size_t)p->n * sizeof *slope);
-    const double way = u + side * reach * support(0) - at;
-    const int strides = (int)ceil(fabs(way) / (PM_BRIDGE_STRIDE * reach));
     for (int i = 1; i < strides; i++) {
         const int status = walk(w, &at, b->known + way * i / strides, y, slope);
         if (status) return status;
