@@ -42,7 +42,7 @@ FAULTS = [
     Fault(
         "rk: a motion from rest is measured by the speed where the step begins",
         "routes/rk/route_rk.c",
-        "if (!(at_end > PM_FASTER * speed)) return error;",
+        "if (!(at_end > PM_RK_FROM_REST * speed)) return error;",
         "return error;",
     ),
     Fault(

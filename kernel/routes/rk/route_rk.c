@@ -289,7 +289,7 @@ static double error_of(pm_workspace *w, double h)
     const double error = error_over_allowed(w, h), speed = w->numbers.speed;
     if (!(error > 1)) return error;
     const double at_end = speed_at_end(w);
-    if (!(at_end > PM_FASTER * speed)) return error;
+    if (!(at_end > PM_RK_FROM_REST * speed)) return error;
     w->numbers.speed = at_end;
     set_scale(w);
     const double then = error_over_allowed(w, h);
