@@ -20,14 +20,14 @@ int pm_program_class_reads_time(const pm_model *m, int program)
     return pm_program_walk_reads(m, program, is_time) != PM_NONE;
 }
 
-static int is_other(const pm_model *m, int measure)
+static int is_no_time(const pm_model *m, int measure)
 {
     return PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND] != PM_MEASURE_TIME;
 }
 
 int pm_program_class_reads_time_alone(const pm_model *m, int program)
 {
-    return pm_program_class_reads_time(m, program) && pm_program_walk_reads(m, program, is_other) == PM_NONE;
+    return pm_program_walk_reads(m, program, is_no_time) == PM_NONE;
 }
 
 int pm_program_class_reads_counts(const pm_model *m, int program)

@@ -28,7 +28,7 @@ enum pm_program_degree { PM_DEGREE_MOST = 2, PM_DEGREE_OTHER = 3 };
 
 /* A program that some measure of time (the time itself, or that of an event) enters. */
 int pm_program_class_reads_time(const pm_model *m, int program);
-/* One that reads the time itself, and no other measure. */
+/* One that reads no measure but the time itself. */
 int pm_program_class_reads_time_alone(const pm_model *m, int program);
 /* A program that the count or time of an event enters. */
 int pm_program_class_reads_counts(const pm_model *m, int program);

@@ -6,6 +6,7 @@
 #include "expression/operation.h"
 #include "expression/piecewise.h"
 #include "expression/program.h"
+#include "expression/program_class.h"
 #include "scene/build.h"
 #include "scene/reference.h"
 
@@ -22,11 +23,6 @@ static int needs_forces(const pm_model *m, int measure)
                          kind == PM_MEASURE_FORCE_POWER || kind == PM_MEASURE_FORCE_ENERGY;
     return is_dynamic(m, measure) ||
            (of_force && PM_FORCE_ROW(m, e[PM_MEASURE_A])[PM_FORCE_KIND] >= PM_FORCE_APPLIED);
-}
-
-static int is_no_time(const pm_model *m, int measure)
-{
-    return PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND] != PM_MEASURE_TIME;
 }
 
 static int is_place(const pm_model *m, int measure)
@@ -156,7 +152,7 @@ static int check_drives(const pm_model *m, pm_where *where)
 {
     int table = PM_NONE, row = PM_NONE, program;
     for (int k = 0; (program = pm_reference_drive(m, k, &table, &row)) != PM_NONE; k++)
-        if (pm_program_walk_reads(m, program, is_no_time) != PM_NONE)
+        if (!pm_program_class_reads_time_alone(m, program))
             return pm_bad_table(where, table, row, program, PM_NONE);
     return PM_OK;
 }

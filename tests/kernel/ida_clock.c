@@ -1,7 +1,7 @@
 /* ida_clock.c - forces of time late in a run on ida, beside their integrals: bells and rectangles that last a millionth of the
  * time before them, to which some roundings of that time are much. */
 #include "check.h"
-#include "scene.h"
+#include "pulses.h"
 
 #define CASES 40
 #define BELL 1e-6      /* s */
@@ -12,16 +12,14 @@ static scene *pushed(double middle, double width, int is_bell, int *speed)
 {
     scene *s = scene_create();
     const int t = scene_time(s), point = scene_point(s, scene_body(s, 1, 0, 0, 0, 0), 0, 0);
-    const int bell =
-        SCENE_PROGRAM(s, scene_m(t), scene_k(s, middle), scene_op(PM_OP_SUB), scene_k(s, width),
-                      scene_op(PM_OP_DIV), scene_k(s, 2), scene_op(PM_OP_POW), scene_op(PM_OP_NEG),
-                      scene_op(PM_OP_EXP), scene_k(s, 1 / width), scene_op(PM_OP_MUL));
+    const pulse bell = {.impulse = 1, .middle = middle, .width = width};
     const int rectangle = SCENE_PROGRAM(s, scene_m(t), scene_k(s, middle - 0.5 * width), scene_op(PM_OP_GE),
                                         scene_m(t), scene_k(s, middle + 0.5 * width), scene_op(PM_OP_LT),
                                         scene_op(PM_OP_MUL), scene_k(s, 1 / width), scene_op(PM_OP_MUL));
     *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_IDA;
     scene_set(s, PM_SETTING_ACCURACY, 1e-10);
-    scene_applied(s, point, PM_GROUND, is_bell ? bell : rectangle, SCENE_PROGRAM(s, scene_k(s, 0)));
+    scene_applied(s, point, PM_GROUND, is_bell ? pulse_bell(s, t, &bell) : rectangle,
+                  SCENE_PROGRAM(s, scene_k(s, 0)));
     *speed = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, point, PM_PART_X));
     scene_until_time(s, 1);
     return s;
@@ -36,7 +34,7 @@ static double error(double width, int is_bell, double *steps)
         int speed;
         scene *s = pushed(middle, width, is_bell, &speed);
         EQUAL(scene_run(s, NULL), PM_OK);
-        const double off = s->out[speed] - (is_bell ? sqrt(4 * atan(1)) : (ends[1] - ends[0]) / width);
+        const double off = s->out[speed] - (is_bell ? sqrt(pi()) : (ends[1] - ends[0]) / width);
         sum += off * off;
         n += (double)s->count[PM_COUNT_STEPS];
         scene_free(s);

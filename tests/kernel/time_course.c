@@ -1,7 +1,7 @@
 /* time_course.c - forces that act for a short time on a free particle, beside their integrals: rectangles, bells and half sines
  * of a width from a millionth of the run to a tenth of it, anywhere, on both routes in time; kicks at all but the same time. */
 #include "check.h"
-#include "scene.h"
+#include "pulses.h"
 
 #define END 1.0   /* s */
 #define CASES 100 /* pulses of each shape and route */
@@ -9,37 +9,6 @@
 #define WAVE 40.0 /* rad/s: something to follow beside the pulse */
 
 enum { RECTANGLE, BELL, HALF_SINE, SHAPES };
-
-typedef struct pulse {
-    int shape;
-    double impulse, middle, width; /* N s, s, s */
-} pulse;
-
-static double pi(void) { return 4 * atan(1); }
-
-/* 1 while t is within half a width of the middle. */
-static int inside(scene *s, int t, const pulse *p)
-{
-    return SCENE_PROGRAM(s, scene_m(t), scene_k(s, p->middle), scene_op(PM_OP_SUB), scene_op(PM_OP_ABS),
-                         scene_k(s, 0.5 * p->width), scene_op(PM_OP_LT), scene_k(s, p->impulse / p->width),
-                         scene_op(PM_OP_MUL));
-}
-
-static int bell(scene *s, int t, const pulse *p)
-{
-    return SCENE_PROGRAM(s, scene_m(t), scene_k(s, p->middle), scene_op(PM_OP_SUB), scene_k(s, p->width),
-                         scene_op(PM_OP_DIV), scene_k(s, 2), scene_op(PM_OP_POW), scene_op(PM_OP_NEG),
-                         scene_op(PM_OP_EXP), scene_k(s, p->impulse / p->width), scene_op(PM_OP_MUL));
-}
-
-static int half_sine(scene *s, int t, const pulse *p)
-{
-    return SCENE_PROGRAM(s, scene_m(t), scene_k(s, p->middle), scene_op(PM_OP_SUB), scene_op(PM_OP_ABS),
-                         scene_k(s, 0.5 * p->width), scene_op(PM_OP_LT), scene_m(t), scene_k(s, p->middle),
-                         scene_op(PM_OP_SUB), scene_k(s, pi() / p->width), scene_op(PM_OP_MUL),
-                         scene_op(PM_OP_COS), scene_op(PM_OP_MUL), scene_k(s, p->impulse / p->width),
-                         scene_op(PM_OP_MUL));
-}
 
 /* What a pulse gives to 1 kg up to the end, m/s. */
 static double integral(const pulse *p)
@@ -56,7 +25,8 @@ static double integral(const pulse *p)
 /* A force that is one pulse; across it a wave, so that steps are not as long as the run. */
 static scene *pushed(const pulse *p, int route, int *out)
 {
-    static int (*const program[SHAPES])(scene *, int, const pulse *) = {inside, bell, half_sine};
+    static int (*const program[SHAPES])(scene *, int, const pulse *) = {pulse_rectangle, pulse_bell,
+                                                                        pulse_half_sine};
     scene *s = scene_create();
     const int t = scene_time(s), point = scene_point(s, scene_body(s, 1, 0, 0, 0, 0), 0, 0);
     const int wave = SCENE_PROGRAM(s, scene_m(t), scene_k(s, WAVE), scene_op(PM_OP_MUL), scene_op(PM_OP_SIN));

@@ -93,8 +93,7 @@ static int build(pm_workspace *w, double u)
     const double way = u + side * reach * support(0) - b->known;
     const double strides = ceil(fabs(way) / (PM_BRIDGE_STRIDE * reach));
     double at = b->known;
-    if (!(strides <= PM_BRIDGE_STRIDES))
-        return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, strides, PM_BRIDGE_STRIDES);
+    if (!(strides <= PM_BRIDGE_STRIDES)) return pm_fail(&w->result, PM_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     memcpy(y, b->known_y, (size_t)p->n * sizeof *y);
     memcpy(slope, b->known_slope, (size_t)p->n * sizeof *slope);
     for (int i = 1; i < strides; i++) {

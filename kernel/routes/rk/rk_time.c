@@ -13,26 +13,16 @@
 #include "expression/program_class.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
+#include "routes/rk/dop853.h"
 #include "routes/rk/rk.h"
 #include "scene/reference.h"
 #include "state/frame.h"
 
-#define PLACES 12
+#define STAGE_PLACES (1 + STAGES - STEP_FROM) /* of the stages that the formula weighs */
+#define PLACES (STAGE_PLACES + 4)
 
-/* Of the step: those of the stages that the formula weighs, then the four others. */
-static const double place[PLACES] = {0.0,
-                                     0.3333333333333333,
-                                     0.25,
-                                     0.3076923076923077,
-                                     0.6512820512820513,
-                                     0.6,
-                                     0.8571428571428571,
-                                     1.0,
-                                     0.1,
-                                     0.46,
-                                     0.76,
-                                     0.95};
-/* Weights of the interpolatory quadrature over all of them less those of the formula. */
+static const double others[PLACES - STAGE_PLACES] = {0.1, 0.46, 0.76, 0.95};
+/* Weights of the interpolatory quadrature over the stages' places and the others, less those of the formula. */
 static const double weight[PLACES] = {-0.027586378827262774, -6.896452417368646,    -2.3659478331248187,
                                       8.571184517127772,     0.3799381246557484,    -0.4663612778295542,
                                       -0.04901450169605576,  -0.026692901796672015, 0.17737243130385447,
@@ -44,6 +34,7 @@ static void add(pm_workspace *w, int program, int derivative, double gain)
     struct pm_rk *r = w->rk;
     const int class = w->model->programs.class[program];
     if (class == PM_CLASS_CONSTANT || class == PM_CLASS_TIME || gain == 0) return;
+    if (!pm_program_class_reads_time_alone(w->model, program)) return;
     r->timed[r->ntimed++] = (pm_rk_timed){program, derivative, gain};
 }
 
@@ -71,8 +62,7 @@ static void add_forces(pm_workspace *w)
         const int32_t *row = PM_FORCE_ROW(m, i);
         if (pm_state_is_absent(m, &w->state, PM_TABLE_FORCE, i)) continue;
         for (int k = 0; k < pm_force_of(m, i)->programs; k++)
-            if (pm_program_class_reads_time_alone(m, row[PM_FORCE_PROGRAM_X + k]))
-                add(w, row[PM_FORCE_PROGRAM_X + k], 0, mobility_of(w, i));
+            add(w, row[PM_FORCE_PROGRAM_X + k], 0, mobility_of(w, i));
     }
 }
 
@@ -95,7 +85,14 @@ void pm_rk_time_begin(pm_workspace *w)
 }
 
 /* ---- of a step ---- */
-/* Derivative `order` of the program by the time, and what rounding of the time, and of the value, makes of it. */
+/* Of the step. */
+static double place_of(int i)
+{
+    if (i >= STAGE_PLACES) return others[i - STAGE_PLACES];
+    return i == 0 ? stage_time[0] : stage_time[STEP_FROM + i - 1];
+}
+
+/* That of the program which acts at the time t, and what rounding of that time and of the value makes of it. */
 static double value_at(const pm_workspace *w, const pm_rk_timed *x, double t, double h, double *rounded)
 {
     double d[3];
@@ -110,7 +107,7 @@ static double off_by(const pm_workspace *w, const pm_rk_timed *x, double h)
 {
     double sum = 0, rounding = 0, rounded;
     for (int i = 0; i < PLACES; i++) {
-        sum += weight[i] * value_at(w, x, w->rk->t0 + place[i] * h, h, &rounded);
+        sum += weight[i] * value_at(w, x, w->rk->t0 + place_of(i) * h, h, &rounded);
         rounding += fabs(weight[i]) * rounded;
     }
     return h * x->gain * fmax(fabs(sum) - rounding, 0);
