@@ -89,7 +89,7 @@
 #define PM_RK_OVER 0.3 /* of the motion's own time: a first step that passes a singular position; more: less accurate */
 #define PM_RK_LEDGER_STEPS 16 /* steps from one that integrates the ledger to the next; more: a thinner audit */
 #define PM_RK_FROM_REST 1e3 /* times the speed at which a step begins: so much faster at its end, it begins from rest; more: steps from rest are short in vain; less: less accurate starts */
-#define PM_RK_TIME_ROUNDED 4e-16 /* of a program of the time, and of what it changes by in all the time: rounding; more: errors of weak pulses are missed; less: steps become short in vain */
+#define PM_RK_TIME_ROUNDED 1e-15 /* of a program of the time, and of what it changes by in all the time: rounding; more: errors of weak pulses are missed; less: steps become short in vain */
 
 #define PM_RK_STABLE 6.1 /* |h lambda| to which the formula is stable: no shorter by accuracy; more: stiffness is missed */
 #define PM_RK_STIFF_STEPS 1500 /* of a phase: so many an implicit route needs, too; more: later handed over */
