@@ -1,8 +1,8 @@
 /* event.c - the functions of a phase: which there are, and their values.
  *
  * Each is zero where something may happen: a trigger its program less what it crosses, or, of multiples, the way to the
- * next one on either side; a contact its gap, its normal force N, what is left of its friction mu N - |F|, its slip, the
- * room on its edge; friction of a joint what is left of it, or its slip. */
+ * next one on either side; a contact its gap, its normal force N, what is left of its friction mu N - F and mu N + F, its slip,
+ * the room on its edge; friction of a joint what is left of it either way, or its slip. */
 #include "events/event.h"
 
 #include <math.h>
@@ -43,7 +43,7 @@ int pm_event_create(pm_workspace *w)
     const pm_model *m = w->model;
     const int ntrigger = m->rows[PM_TABLE_TRIGGER], nevent = m->rows[PM_TABLE_EVENT],
               ncontact = m->rows[PM_TABLE_CONTACT];
-    const int most = ntrigger + ncontact + 6 * m->nslot + m->nfriction + 2 * m->rows[PM_TABLE_JOINT];
+    const int most = ntrigger + ncontact + 7 * m->nslot + 2 * m->nfriction + 2 * m->rows[PM_TABLE_JOINT];
     if (PM_ARENA_NEW(&w->memory, w->event)) return PM_NO_MEMORY;
     pm_event_set *e = w->event;
     e->most = most;
@@ -124,6 +124,16 @@ static void add_triggers(pm_workspace *w)
     }
 }
 
+/* What is left of a friction that holds, either way: mu N - |F| has a corner where F changes its direction, and what it does beside
+ * that would not be seen between samples. */
+static void add_hold(const pm_phase *phase, pm_event_set *e, int kind, int index, double size)
+{
+    for (int sense = 1; sense >= -1; sense -= 2) {
+        add(phase, e, kind, index, -1, PM_LEVEL_DYNAMIC, PM_FORCE_SLACK * size, size);
+        e->function[e->nfunction - 1].sense = sense;
+    }
+}
+
 static int is_open(const pm_workspace *w, int contact)
 {
     return w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN;
@@ -167,7 +177,7 @@ static void add_contacts(pm_workspace *w, double size)
             add(&w->phase, w->event, FUNCTION_WRAP, i, -1, PM_LEVEL_KINEMATIC, PM_WRAP_NOTHING, 1);
         add(&w->phase, w->event, FUNCTION_NORMAL, i, -1, PM_LEVEL_DYNAMIC, force, size);
         if (mode == PM_STICK && pm_contact_friction(m, pm_contact_of_slot(m, i)) == PM_FRICTION_COULOMB)
-            add(&w->phase, w->event, FUNCTION_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
+            add_hold(&w->phase, w->event, FUNCTION_STICK, i, size);
         if (pm_edge_is(m, pm_contact_of_slot(m, i)) || pm_contact_curve_parts(m, pm_contact_of_slot(m, i)))
             add(&w->phase, w->event, FUNCTION_END, i, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
                 w->numbers.size);
@@ -179,10 +189,9 @@ static void add_contacts(pm_workspace *w, double size)
 
 static void add_joint_friction(pm_workspace *w, double size)
 {
-    const double force = PM_FORCE_SLACK * size;
     for (int i = 0; i < w->model->nfriction; i++) {
         if (w->state.friction[i] == PM_STICK)
-            add(&w->phase, w->event, FUNCTION_JOINT_STICK, i, -1, PM_LEVEL_DYNAMIC, force, size);
+            add_hold(&w->phase, w->event, FUNCTION_JOINT_STICK, i, size);
         else if (w->state.friction[i] != PM_OPEN)
             add(&w->phase, w->event, FUNCTION_JOINT_SLIP, i, -1, PM_LEVEL_KINEMATIC,
                 pm_joint_friction_no_slip(&w->frame, i), w->numbers.speed);
@@ -205,7 +214,7 @@ static double contact_stands(pm_workspace *w, const pm_event_function *f)
     if (f->kind == FUNCTION_NORMAL) return normal < 0 ? w->numbers.size : w->frame.lambda[normal];
     if (normal < 0 || tangent < 0) return 1;
     const double mu = pm_contact_static(&w->frame, pm_contact_of_slot(w->model, f->index));
-    return mu * w->frame.lambda[normal] - fabs(w->frame.lambda[tangent]);
+    return mu * w->frame.lambda[normal] - f->sense * w->frame.lambda[tangent];
 }
 
 /* The nearest member of an open contact is noted. */
@@ -251,17 +260,12 @@ double pm_event_sample(pm_workspace *w, const pm_event_function *f)
     case FUNCTION_JOINT_STICK:
         if (w->active.friction_constraint[f->index] < 0) return 1; /* something else holds it, too */
         return pm_joint_friction_limit(w, f->index) -
-               fabs(w->frame.lambda[w->active.friction_constraint[f->index]]);
+               f->sense * w->frame.lambda[w->active.friction_constraint[f->index]];
     case FUNCTION_JOINT_SLIP:
         return w->state.friction[f->index] == PM_SLIDE_FORWARD ? pm_joint_friction_slip(&w->frame, f->index)
                                                                : -pm_joint_friction_slip(&w->frame, f->index);
     default: return pm_trigger_program(w, f->index);
     }
-}
-
-int pm_event_changes_sign(const pm_event_function *f)
-{
-    return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
 }
 
 int pm_event_owner(const pm_model *m, const pm_event_function *f, int32_t *row)
@@ -372,16 +376,6 @@ void pm_event_begin(pm_workspace *w)
         if (gap && leaves(&w->frame, f->index, member)) leave_from(w, f, value);
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
-}
-
-int pm_event_contact_change(const pm_event_set *event, int function)
-{
-    switch (event->function[function].kind) {
-    case FUNCTION_NORMAL: return PM_TRIGGER_OPEN;
-    case FUNCTION_STICK: return PM_TRIGGER_SLIP;
-    case FUNCTION_SLIP: return PM_TRIGGER_STICK;
-    default: return PM_NONE;
-    }
 }
 
 int pm_event_check_unique(pm_workspace *w)

@@ -44,6 +44,7 @@ typedef struct pm_event_function {
     int level;      /* enum pm_level it needs */
     int owned;      /* the route itself finds its roots: not sampled */
     int held;       /* zero when the phase began, or just fired: must first be left */
+    int sense;      /* of a friction that holds, 1 or -1: what is left of it against a force that way */
     int every;      /* the samples are places along multiples: see pm_event_sample */
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int born;       /* of a gap beside a foot that is closed: another foot may come to be at any distance */
@@ -197,11 +198,22 @@ double pm_event_value(pm_workspace *w, const pm_event_function *f);
 double pm_event_sample(pm_workspace *w, const pm_event_function *f);
 double pm_event_of_sample(const pm_event_function *f, double sample);
 /* The function may have either sign in a phase, as that of a contact has not. */
-int pm_event_changes_sign(const pm_event_function *f);
+static inline int pm_event_changes_sign(const pm_event_function *f)
+{
+    return f->kind == FUNCTION_TRIGGER || f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
+}
 /* The table and the row of what it belongs to: an event, a contact, a joint, or the force of a joint's friction. */
 int pm_event_owner(const pm_model *m, const pm_event_function *f, int32_t *row);
 /* What a located function means for its contact (function.index is then a slot): PM_TRIGGER_OPEN, SLIP, STICK, or
  * PM_NONE. */
-int pm_event_contact_change(const pm_event_set *event, int function);
+static inline int pm_event_contact_change(const pm_event_set *event, int function)
+{
+    switch (event->function[function].kind) {
+    case FUNCTION_NORMAL: return PM_TRIGGER_OPEN;
+    case FUNCTION_STICK: return PM_TRIGGER_SLIP;
+    case FUNCTION_SLIP: return PM_TRIGGER_STICK;
+    default: return PM_NONE;
+    }
+}
 
 #endif

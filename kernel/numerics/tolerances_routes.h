@@ -76,6 +76,7 @@
 #define PM_RK_LEVEL_MARGIN 0.3 /* the same where energy holds a single freedom on its path: only delays add up */
 #define PM_RK_TIGHTEST 5e-15 /* relative: below it the estimate of errors is rounding; more: less can be asked for */
 #define PM_RK_SAFETY 0.7       /* of the step that the error allows; more: more steps are rejected */
+#define PM_RK_BESIDE 0.3       /* weight of the second estimator of order 5: where the first passes through zero, it tells; less: steps are accepted there; more: shorter steps */
 #define PM_RK_SHRINK 0.2       /* of a step: the shortest next one; more: more rejections one after the other */
 #define PM_RK_GROW 4.0         /* of a step: the longest next one; more: more rejections */
 #define PM_RK_LEAST_STEP 8e-16 /* of the time: a shorter step changes nothing; more: a run gives up earlier */

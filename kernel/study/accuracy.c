@@ -20,9 +20,9 @@
 
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/history.h"
 #include "events/time_course.h"
 #include "expression/program_class.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/path.h"
 #include "run/run.h"
@@ -31,6 +31,7 @@
 #include "state/workspace.h"
 #include "study/find.h"
 #include "study/judge.h"
+#include "study/pass.h"
 
 static int create_logs(pm_workspace *w)
 {
@@ -52,6 +53,7 @@ static int create(pm_workspace *w)
         OF_EACH_PASS(out, m->nout),   OF_EACH_PASS(error, m->nout),        OF_EACH_PASS(more, m->nout),
         OF_EACH_PASS(end, 2 * m->nq), OF_EACH_PASS(extreme, 2 * ntrigger), OF_EACH_PASS(reason, m->nask),
         PM_ARRAY(e->kept, m->nout),   PM_ARRAY(e->discrete, m->nask),      PM_ARRAY(e->neighbours, m->nout),
+        PM_ARRAY(e->first, m->nout),
     };
 #undef OF_EACH_PASS
     if (pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_natural_size_create(w, &e->size) || create_logs(w))
@@ -75,73 +77,6 @@ int pm_accuracy_create(const pm_model *model, pm_workspace **workspace)
     pm_workspace_free(*workspace);
     *workspace = NULL;
     return status;
-}
-
-/* ---- passes ---- */
-static int run_once(pm_workspace *w, const double *param, double *found)
-{
-    return w->accuracy->runs_find ? pm_find_run(w, param, found) : pm_run(w, param);
-}
-
-static uint64_t outcome_of(const pm_model *model, const pm_firing *firing, const pm_pass *p)
-{
-    uint64_t hash = 14695981039346656037ULL; /* FNV-1a */
-    hash = (hash ^ (uint64_t)(int64_t)p->status) * 1099511628211ULL;
-    for (int i = 0; i < model->nask; i++) hash = (hash ^ (uint64_t)p->reason[i]) * 1099511628211ULL;
-    for (int i = 0; i < model->rows[PM_TABLE_EVENT]; i++)
-        hash = (hash ^ (uint64_t)firing->count[i]) * 1099511628211ULL;
-    return hash;
-}
-
-/* So few steps on a route whose errors go with them that another run may err alike. */
-static int takes_few_steps(const pm_pass *p)
-{
-    return p->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW &&
-           (p->count[PM_COUNT_ROUTES] & ((int64_t)1 << PM_ROUTE_RK)) != 0;
-}
-
-static void make_pass(pm_workspace *w, const double *param, pm_pass *p, double factor, int coarse)
-{
-    pm_accuracy *e = w->accuracy;
-    pm_history *const trace = w->record.history;
-    pm_phase_report *const phases = w->record.phases;
-    w->evidence.present = p;
-    e->npass++;
-    p->factor = factor;
-    p->coarse = coarse;
-    p->fine = coarse && takes_few_steps(e->main);
-    p->halves = e->npass > 1 && !(coarse ? e->main : e->last)->halves;
-    if (!coarse) e->last = p;
-    w->result.out = p->out;
-    w->result.reason = p->reason;
-    w->result.audit = p->audit;
-    w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1;
-    w->evidence.late = coarse ? e->main->late * PM_COARSER / w->phase.route->spread : 0;
-    if (coarse) w->record.history = NULL, w->record.phases = NULL;
-    if (w->record.history) pm_history_reset(w->record.history); /* the last pass is the one recorded */
-    if (w->record.phases) w->record.phases->needed = w->record.phases->steps = w->record.phases->repeated = 0;
-    p->status = run_once(w, param, p->found);
-    w->record.history = trace;
-    w->record.phases = phases;
-    memcpy(p->count, w->result.count, sizeof p->count);
-    p->unseen = w->evidence.unseen;
-    p->where = w->result.where;
-    p->ordered = w->result.ordered;
-    p->t = w->state.t;
-    memcpy(p->end, w->state.q, 2 * (size_t)w->model->nq * sizeof *p->end); /* v stands behind q */
-    p->tolerance = w->numbers.tolerance;
-    p->outcome = outcome_of(w->model, &w->firing, p);
-}
-
-static int stands(const pm_pass *p)
-{
-    return p->status >= PM_OK && p->status != PM_CANCELLED && p->status != PM_LIMIT_CPU;
-}
-
-/* It took more steps than a pass is waited for, not more than the scene allows. */
-static int took_too_long(const pm_evidence *evidence, const pm_pass *p)
-{
-    return p->status == PM_LIMIT_STEPS && (double)p->count[PM_COUNT_STEPS] >= evidence->most_steps;
 }
 
 /* ---- the ladder ---- */
@@ -188,13 +123,13 @@ static int find_coarse(pm_workspace *w, const double *param)
         e->other->coarse = 1;
         return 1;
     }
-    make_pass(w, param, e->other, e->main->factor, 1);
+    pm_pass_make(w, param, e->other, e->main->factor, 1);
     /* at a singular position a disturbed state may leave its branch */
     w->evidence.calm =
         (e->other->status < PM_OK || e->other->status == PM_ENDS_SINGULAR) && w->patience.over == 0;
-    if (w->evidence.calm) make_pass(w, param, e->other, e->main->factor, 1);
+    if (w->evidence.calm) pm_pass_make(w, param, e->other, e->main->factor, 1);
     w->evidence.calm = 0;
-    return stands(e->other);
+    return pm_pass_stands(e->other);
 }
 
 static double next_factor(double factor, const double *trust)
@@ -247,7 +182,7 @@ static void go_back(pm_workspace *w, const double *param, const double *before, 
     memcpy(error, e->kept, (size_t)w->model->nout * sizeof *error);
     memcpy(trust, before, PM_TRUSTS * sizeof *trust);
     if (w->record.history) /* what is recorded is what is answered */
-        make_pass(w, param, e->spare, e->main->factor, 0);
+        pm_pass_make(w, param, e->spare, e->main->factor, 0);
 }
 
 /* Whether the tolerance alone chose the steps of two main passes: then each step errs far more than it is rounded. */
@@ -282,11 +217,41 @@ static int judge_beside_before(pm_workspace *w, double *error, double *trust)
     return 0;
 }
 
-static int judge_by_coarse(pm_workspace *w, const double *param, double *error, double *trust)
+/* Steps at a loose accuracy err as it happens, not as their tolerance: what one coarse run tells alike by chance another does not. */
+static int errs_by_chance(const pm_workspace *w)
 {
-    w->accuracy->before = w->accuracy->spare;
+    const pm_accuracy *e = w->accuracy;
+    return w->numbers.accuracy > PM_ACCURACY_LOOSE && e->other->coarse && !e->other->fine &&
+           (e->main->count[PM_COUNT_ROUTES] & ((int64_t)1 << PM_ROUTE_RK)) != 0;
+}
+
+/* A second coarse run, at another tolerance: each error is the greater of both.  One that decided otherwise, which the first did not,
+ * is no comparison. */
+static void judge_by_another(pm_workspace *w, const double *param, double *error, double *trust)
+{
+    pm_accuracy *e = w->accuracy;
+    double first[PM_TRUSTS];
+    const pm_closest closest = e->closest;
+    memcpy(first, trust, sizeof first);
+    memcpy(e->first, error, (size_t)w->model->nout * sizeof *error);
+    pm_pass_make(w, param, e->other, e->main->factor * PM_ACCURACY_ANOTHER, 1);
+    const int compares = e->other->outcome == e->main->outcome && pm_margin_same_jumps(e);
+    if (compares) pm_judge(w, error, trust);
+    for (int k = 0; k < w->model->nout; k++)
+        error[k] = compares ? pm_max(e->first[k], error[k]) : e->first[k];
+    trust[PM_TRUST_EXCESS] = pm_max(first[PM_TRUST_EXCESS], trust[PM_TRUST_EXCESS]);
+    if (trust[PM_TRUST_MARGIN] < first[PM_TRUST_MARGIN]) return;
+    trust[PM_TRUST_MARGIN] = first[PM_TRUST_MARGIN];
+    e->closest = closest;
+}
+
+static int judge_by_coarse(pm_workspace *w, const double *param, const pm_pass *before, double *error,
+                           double *trust)
+{
+    w->accuracy->before = before;
     if (!find_coarse(w, param)) return 0;
     pm_judge(w, error, trust);
+    if (errs_by_chance(w)) judge_by_another(w, param, error, trust);
     return 1;
 }
 
@@ -299,13 +264,13 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
         [PM_TRUST_MARGIN] = trust[PM_TRUST_MARGIN], [PM_TRUST_EXCESS] = trust[PM_TRUST_EXCESS]};
     const pm_closest closest = e->closest;
     memcpy(e->kept, error, (size_t)w->model->nout * sizeof *error);
-    make_pass(w, param, e->spare, next_factor(e->main->factor, trust), 0);
-    int better = stands(e->spare) && !took_too_long(&w->evidence, e->spare);
+    pm_pass_make(w, param, e->spare, next_factor(e->main->factor, trust), 0);
+    int better = pm_pass_stands(e->spare) && !pm_pass_took_too_long(&w->evidence, e->spare);
     if (better && e->spare->outcome == e->main->outcome) before[PM_TRUST_EXCESS] = pm_judge_again(w, e->kept);
     if (better) {
         swap(&e->main, &e->spare);
         find_sizes(w);
-        better = judge_beside_before(w, error, trust) || judge_by_coarse(w, param, error, trust);
+        better = judge_beside_before(w, error, trust) || judge_by_coarse(w, param, e->spare, error, trust);
         better = better && is_better(trust, before);
         if (!better) swap(&e->main, e->before == e->other ? &e->other : &e->spare);
     }
@@ -319,7 +284,7 @@ static void climb(pm_workspace *w, const double *param, double *error, double *t
 {
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
-    if (find_coarse(w, param)) pm_judge(w, error, trust);
+    judge_by_coarse(w, param, NULL, error, trust);
     for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */
@@ -376,10 +341,10 @@ static int run(pm_workspace *w, const double *param, double *found, double *erro
     e->main = &e->pass[0];
     e->other = &e->pass[1];
     e->spare = &e->pass[2];
-    make_pass(w, param, e->main, 1, 0);
+    pm_pass_make(w, param, e->main, 1, 0);
     while (is_too_loose(&w->phase, e->main) && e->npass <= PM_ACCURACY_REFINEMENTS)
-        make_pass(w, param, e->main, e->main->factor / PM_COARSER, 0);
-    if (stands(e->main)) {
+        pm_pass_make(w, param, e->main, e->main->factor / PM_COARSER, 0);
+    if (pm_pass_stands(e->main)) {
         w->evidence.most_steps =
             PM_ACCURACY_FEW_STEPS + PM_ACCURACY_LONGER * (double)e->main->count[PM_COUNT_STEPS];
         climb(w, param, error, trust);

@@ -15,6 +15,7 @@ typedef struct pm_accuracy {
     pm_pass pass[3], *main, *other, *spare, *last;
     const pm_pass *before; /* the main pass before, at a looser tolerance; NULL: there is none */
     double *neighbours;    /* [nout] scratch: errors of a list */
+    double *first;         /* [nout] errors by the first of two coarse runs */
     pm_natural_size size;  /* of asks and triggers, at the end of the main pass */
     double late;           /* s: the error of the state at the end, as a time along its motion */
     double apart;       /* how far its comparison is from the main pass, of the sizes of what is compared */

@@ -79,8 +79,20 @@ FAULTS = [
     Fault(
         "missed root: joint friction",
         "events/event.c",
-        "add(&w->phase, w->event, FUNCTION_STICK, i",
-        "add(&w->phase, w->event, FUNCTION_NORMAL, i",
+        "add_hold(&w->phase, w->event, FUNCTION_JOINT_STICK, i",
+        "add_hold(&w->phase, w->event, FUNCTION_NORMAL, i",
+    ),
+    Fault(
+        "missed root: a contact that holds",
+        "events/event.c",
+        "add_hold(&w->phase, w->event, FUNCTION_STICK, i",
+        "add_hold(&w->phase, w->event, FUNCTION_NORMAL, i",
+    ),
+    Fault(
+        "what is left of a friction that holds is looked at from one side",
+        "events/event.c",
+        "sense >= -1; sense -= 2",
+        "sense >= 1; sense -= 2",
     ),
     Fault(
         "missed root: slip",

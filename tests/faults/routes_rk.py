@@ -67,10 +67,28 @@ FAULTS = [
         "2 * change - (f0 - f1)",
     ),
     Fault(
+        "rk: a step is accepted where the first estimator of its error passes through zero",
+        "routes/rk/rk_formula.c",
+        "(of_5 + PM_RK_BESIDE * beside) / (1 + PM_RK_BESIDE)",
+        "of_5",
+    ),
+    Fault(
+        "rk: rounding of the time is taken for an error of the stages",
+        "routes/rk/route_rk.c",
+        "error = pm_rk_error(w->rk, h, pm_rk_time_rounding(w, h))",
+        "error = pm_rk_error(w->rk, h, 0 * pm_rk_time_rounding(w, h))",
+    ),
+    Fault(
+        "rk: a phase begins with a step that has no length",
+        "routes/rk/route_rk.c",
+        "fmin(fmax(r->next, 2 * PM_RK_LEAST_STEP * fabs(r->t0)), longest_step(w))",
+        "fmin(r->next, longest_step(w))",
+    ),
+    Fault(
         "rk: no control of the error",
         "routes/rk/rk_formula.c",
-        "return sum5 == 0 ? 0 :",
-        "return sum5 >= 0 ? 0 :",
+        "return e5 == 0 ? 0 :",
+        "return e5 >= 0 ? 0 :",
     ),
     Fault(
         "rk: errors of the last coordinate",

@@ -29,9 +29,15 @@ FAULTS = [
     ),
     Fault(
         "error: steps that nothing limits are the same",
-        "study/accuracy.c",
+        "study/pass.c",
         "w->numbers.coarse = coarse ? PM_ACCURACY_COARSE : 1",
         "w->numbers.coarse = 1",
+    ),
+    Fault(
+        "error: one coarse run alone at loose accuracies",
+        "study/accuracy.c",
+        "if (errs_by_chance(w)) judge_by_another",
+        "if (0 && errs_by_chance(w)) judge_by_another",
     ),
     Fault(
         "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"

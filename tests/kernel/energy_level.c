@@ -50,7 +50,7 @@ static void keeps_energy(void)
 {
     for (int rods = 1; rods <= 2; rods++)
         for (int what = PLAIN; what <= SPRING; what++) {
-            const result x = thrown(what, rods, PM_ROUTE_RK, 1e-5);
+            const result x = thrown(what, rods, PM_ROUTE_RK, 1e-4);
             NEAR(x.energy, start_energy(what, rods), 1e-12 * x.energy);
             CHECK(x.evidence > 1e-8); /* the drift is told */
         }

@@ -92,6 +92,22 @@ static const double error_weight_5[13] = {0.01312004499419488,
                                           0.08192320648511571,
                                           -0.022355307863886294,
                                           0.0};
+/* Another estimator of order 5, from the same stages: what estimators of that order leave in the 20 trees of order 6 spans two
+ * dimensions, and this one's is orthogonal to that of error_weight_5, and as large.  (The third that vanishes to order 5 vanishes to
+ * order 6 as well; these weights are orthogonal to it.) */
+static const double error_weight_5_beside[13] = {0.030504551009075273,
+                                                 0.0,
+                                                 0.0,
+                                                 0.0,
+                                                 0.0,
+                                                 0.42396522915186646,
+                                                 -0.7300240871222646,
+                                                 0.6260641703886739,
+                                                 2.2907752908999406,
+                                                 -2.3758481819573727,
+                                                 -0.3328794030826194,
+                                                 0.06744243071270047,
+                                                 0.0};
 static const double dense_weight[4][16] = {
     {-8.428938276109013, 0.0, 0.0, 0.0, 0.0, 0.5667149535193777, -3.0689499459498917, 2.38466765651207,
      2.117034582445028, -0.871391583777973, 2.2404374302607883, 0.6315787787694688, -0.08899033645133331,

@@ -65,8 +65,8 @@ int pm_rk_choose_coordinates(pm_workspace *w);
 
 /* rk_formula.c: stages 1..11 of a step h from r->t0, r->y0 with stage 0 in k; the end of the step in y. */
 int pm_rk_stages(pm_workspace *w, double h, double *k, double *y);
-/* The error of the step in r->k over the allowed one. */
-double pm_rk_error(const struct pm_rk *r, double h);
+/* The error of the step in r->k over the allowed one, and beside what rounding makes of it. */
+double pm_rk_error(const struct pm_rk *r, double h, double rounding);
 /* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
 int pm_rk_dense(pm_workspace *w, double t);
 
@@ -76,6 +76,8 @@ void pm_rk_last_stage(const struct pm_rk *r, double *y);
 /* rk_time.c: a phase begins; the error of the step h from r->t0 over the allowed one. */
 void pm_rk_time_begin(pm_workspace *w);
 double pm_rk_time_error(const pm_workspace *w, double h);
+/* What rounding of the time makes of a velocity in that step, over the allowed error. */
+double pm_rk_time_rounding(const pm_workspace *w, double h);
 
 /* rk_stiff.c: after a step, its derivative at the end in k. */
 void pm_rk_look_for_stiffness(pm_workspace *w);

@@ -62,28 +62,40 @@ void pm_rk_last_stage(const struct pm_rk *r, double *y)
     combine(r->controlled, r->all, r->y0, r->h, stage_time[s], stage_weight[s], stage_from[s], s, r->k, y);
 }
 
-/* Sum of the squares of scale times sum_k weight[k] stage[k]; k is 0 and STEP_FROM .. STAGES - 1. */
-static double error_square(const struct pm_rk *r, const double *weight)
+/* Sums of the squares of scale times sum_k weight[k] stage[k], by the three estimators; k is 0 and STEP_FROM .. STAGES - 1. */
+static void error_squares(const struct pm_rk *r, double *of_5, double *beside, double *of_3)
 {
     const int n = r->controlled;
-    pm_lanes sum = {0, 0};
+    pm_lanes sum5 = {0, 0}, sum_beside = {0, 0}, sum3 = {0, 0};
     for (int i = 0; i < n; i += 2) {
-        const double *k =
-            r->k + STEP_FROM * r->all + i; /* one number more than there are is read, not used */
-        pm_lanes e = weight[0] * pm_lanes_load(r->k + i);
-        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) e += weight[s] * pm_lanes_load(k);
-        e *= pm_lanes_load(r->scale + i);
-        if (i + 1 == n) e[1] = 0;
-        sum += e * e;
+        const double *k = r->k + i; /* one number more than there are is read, not used */
+        pm_lanes x = pm_lanes_load(k), scale = pm_lanes_load(r->scale + i);
+        pm_lanes e5 = error_weight_5[0] * x, b = error_weight_5_beside[0] * x, e3 = error_weight_3[0] * x;
+        k += STEP_FROM * r->all;
+        for (int s = STEP_FROM; s < STAGES; s++, k += r->all) {
+            x = pm_lanes_load(k);
+            e5 += error_weight_5[s] * x;
+            b += error_weight_5_beside[s] * x;
+            e3 += error_weight_3[s] * x;
+        }
+        e5 *= scale, b *= scale, e3 *= scale;
+        if (i + 1 == n) e5[1] = b[1] = e3[1] = 0;
+        sum5 += e5 * e5;
+        sum_beside += b * b;
+        sum3 += e3 * e3;
     }
-    return sum[0] + sum[1];
+    *of_5 = pm_lanes_sum(sum5);
+    *beside = pm_lanes_sum(sum_beside);
+    *of_3 = pm_lanes_sum(sum3);
 }
 
-double pm_rk_error(const struct pm_rk *r, double h)
+double pm_rk_error(const struct pm_rk *r, double h, double rounding)
 {
-    const double sum5 = error_square(r, error_weight_5);
-    return sum5 == 0 ? 0
-                     : fabs(h) * sum5 / sqrt((sum5 + 0.01 * error_square(r, error_weight_3)) * r->controlled);
+    double of_5, beside, of_3;
+    error_squares(r, &of_5, &beside, &of_3);
+    const double both = sqrt((of_5 + PM_RK_BESIDE * beside) / (1 + PM_RK_BESIDE)), left = both - rounding / h,
+                 e5 = left < 0 ? 0 : left; /* NaN stays NaN */
+    return e5 == 0 ? 0 : h * e5 * e5 / sqrt((e5 * e5 + 0.01 * of_3) * r->controlled);
 }
 
 static int prepare_dense(pm_workspace *w)

@@ -119,3 +119,14 @@ double pm_rk_time_error(const pm_workspace *w, double h)
     for (int i = 0; i < w->rk->ntimed; i++) most = pm_max(off_by(w, &w->rk->timed[i], h), most);
     return most / (w->rk->tolerance * w->numbers.speed);
 }
+
+double pm_rk_time_rounding(const pm_workspace *w, double h)
+{
+    double most = 0, rounded;
+    for (int i = 0; i < w->rk->ntimed; i++)
+        for (int k = 0; k < STAGE_PLACES; k++) {
+            value_at(w, &w->rk->timed[i], w->rk->t0 + place_of(k) * h, h, &rounded);
+            if (isfinite(rounded)) most = pm_max(w->rk->timed[i].gain * rounded, most);
+        }
+    return h * most / (w->rk->tolerance * w->numbers.speed);
+}

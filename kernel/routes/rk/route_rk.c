@@ -279,7 +279,8 @@ static double speed_at_end(const pm_workspace *w)
 
 static double error_over_allowed(const pm_workspace *w, double h)
 {
-    const double error = pm_rk_error(w->rk, h);
+    double error = pm_rk_error(w->rk, h, 0);
+    if (error > 1 && w->rk->ntimed > 0) error = pm_rk_error(w->rk, h, pm_rk_time_rounding(w, h));
     return error <= 1 ? fmax(pm_rk_time_error(w, h), error) : error;
 }
 
@@ -309,7 +310,8 @@ static int step(pm_workspace *w, double t_limit)
     const int begins = !r->k0_ready;
     int status = first_stage(w);
     if (status) return status;
-    double h = fmin(r->next, longest_step(w));
+    /* the end of the phase before may have been so near to a singular place that its steps had no length */
+    double h = fmin(fmax(r->next, 2 * PM_RK_LEAST_STEP * fabs(r->t0)), longest_step(w));
     if (w->numbers.coarse > 1) h = coarse_step(w, h, begins, t_limit - r->t0);
     double first = h;
     for (int rejected = 0, sidesteps = 0;;) {
