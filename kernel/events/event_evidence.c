@@ -6,6 +6,7 @@
 #include "elements/contact.h"
 #include "elements/contact_curve.h"
 #include "elements/trigger.h"
+#include "equations/shared_loads.h"
 #include "events/last_bounce.h"
 #include "events/track.h"
 #include "numerics/tolerances.h"
@@ -213,11 +214,20 @@ static double error_of(pm_workspace *w, const pm_event_function *f, double dista
     return by * fabs(changed - distance);
 }
 
+/* What several contacts share pushes them as much as one likes, as between two walls: what is told of it is a measure of forces. */
+static int has_no_bound(pm_workspace *w, const pm_event_function *f)
+{
+    double slack;
+    if (f->kind != FUNCTION_NORMAL && f->kind != FUNCTION_STICK) return 0;
+    return w->active.nredundant > 0 && pm_shared_slack(w, f->index, &slack) &&
+           !pm_shared_is_bounded(w, f->index, &slack);
+}
+
 /* How far it is from zero now, if it has not fired. */
 static void take_value(pm_workspace *w, int i, int marks)
 {
     const pm_event_function *f = &w->event->function[i];
-    if (!did_not_fire(w, i, marks) || meets_slowly(w, f)) return;
+    if (!did_not_fire(w, i, marks) || meets_slowly(w, f) || has_no_bound(w, f)) return;
     if (is_on_time(w->model, f) && only_reverses(w)) return;
     pm_evidence_decision x = of_function(w->model, f);
     x.kind = PM_EVIDENCE_VALUE;

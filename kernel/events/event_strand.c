@@ -67,13 +67,14 @@ static int ends(pm_workspace *w, int slot, int leaves_rim)
                    w->state.t, leaves_rim);
 }
 
-/* So short, or nothing is left of it after a few steps like the last. */
+/* So short, or nothing is left of it after a few steps like the last, or was before them. */
 static int is_about_to_end(const pm_workspace *w, int strand)
 {
     double approach, nothing;
     const double left = strand_left(&w->frame, strand, &approach, &nothing);
     const double soon = PM_STRAND_SOON * (w->step.whole_end - w->step.whole_begin);
-    return left < PM_STRAND_NEAR * nothing || (w->phase.route->in_time && left * left < -approach * soon);
+    return left < PM_STRAND_NEAR * nothing ||
+           (w->phase.route->in_time && left * left < fabs(approach) * soon);
 }
 
 int pm_event_explain_strand(pm_workspace *w, int status)

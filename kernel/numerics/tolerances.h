@@ -294,6 +294,7 @@
 #define PM_DISTURBED_PLACE 2e-15 /* of positions; more: a contact that has just been left would overlap */
 #define PM_PLAN_PASSED 0.2 /* independent part of each constraint: a singular position lies behind; more: later */
 
+#define PM_RUN_ENDS_SINGULAR 1e-5 /* the same where a run ends: velocities are known no better than places over it; less: answers there are off by more than is told; larger: refuses right ones */
 #define PM_RUN_SINGULAR 1e-4 /* independent part of a constraint: a ledger that does not close there comes of it; larger: other faults are told as that */
 
 /* ---- study ---- */

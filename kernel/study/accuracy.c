@@ -125,8 +125,9 @@ static int find_coarse(pm_workspace *w, const double *param)
     }
     pm_pass_make(w, param, e->other, e->main->factor, 1);
     /* at a singular position a disturbed state may leave its branch */
-    w->evidence.calm =
-        (e->other->status < PM_OK || e->other->status == PM_ENDS_SINGULAR) && w->patience.over == 0;
+    w->evidence.calm = e->other->status != e->main->status &&
+                       (e->other->status < PM_OK || e->other->status == PM_ENDS_SINGULAR) &&
+                       w->patience.over == 0;
     if (w->evidence.calm) pm_pass_make(w, param, e->other, e->main->factor, 1);
     w->evidence.calm = 0;
     return pm_pass_stands(e->other);
@@ -280,11 +281,20 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     return 0;
 }
 
+/* Nobody knows the errors of a run that goes on where the coarse one fails. */
+static int fails_nearby(const pm_accuracy *e)
+{
+    return e->main->status == PM_OK && e->other->coarse && e->other->status < PM_OK;
+}
+
 static void climb(pm_workspace *w, const double *param, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
-    judge_by_coarse(w, param, NULL, error, trust);
+    if (!judge_by_coarse(w, param, NULL, error, trust) && fails_nearby(e)) {
+        pm_margin_undecided(w->model, e, 0);
+        return;
+    }
     for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
     /* a run that sits on the threshold that was sought is not in doubt */

@@ -87,8 +87,8 @@ FAULTS = [
     Fault(
         "rk: no control of the error",
         "routes/rk/rk_formula.c",
-        "return e5 == 0 ? 0 :",
-        "return e5 >= 0 ? 0 :",
+        "return e5 <= 0 ? 0 :",
+        "return e5 > -1 ? 0 :",
     ),
     Fault(
         "rk: errors of the last coordinate",

@@ -65,8 +65,10 @@ def test_ends_close_to_turning_points(kind: Callable[[random.Random], str], seed
         for sign in (-1, 1):
             t = turn * (1 + sign * 10**power * draw.uniform(0.3, 1))
             path, rk = (
-                load_text(f'until = "t = {t!r} s"\n{text}').run(**{"solve.route": route})
-                for route in ("auto", "rk")
+                load_text(f'until = "t = {t!r} s"\n{text}').run(
+                    **{"solve.route": route, "solve.accuracy": accuracy}
+                )
+                for route, accuracy in (("auto", 1e-10), ("rk", 1e-12))
             )
             assert path.route == ("path",)
             # A route that follows energy knows its square: of a slow motion it knows less.

@@ -23,6 +23,7 @@ ask.omega = "bob.omega"
 solve.route = "rk"
 """
 GRID = 'sweep.angle = ["1 deg", "20 deg", "60 deg", "170 deg"]\n'
+LENGTHS = 'sweep.L = ["0.1 m", "0.5 m", "3 m", "20 m"]\n'
 BALL = """
 id = "ball"
 parameters = { h = "1 m" }
@@ -37,11 +38,11 @@ ask.v = "ball.velocity.y"
 
 def test_what_met_a_limit_is_computed_again(tmp_path: Path) -> None:
     """With the bits that a run with these settings has, for threads and for any executor."""
-    plenty = load_text(SWING + GRID).sweep()
-    few = load_text(SWING + GRID + "solve.max_steps = 80\n").sweep()
+    plenty = load_text(SWING + LENGTHS).sweep()
+    few = load_text(SWING + LENGTHS + "solve.max_steps = 80\n").sweep()
     limited = few["status"].values != 0
     assert 0 < limited.sum() < 4
-    scene = load_text(SWING + GRID + "solve.max_steps = 80\nsweep.retry = { max_steps = 100000 }\n")
+    scene = load_text(SWING + LENGTHS + "solve.max_steps = 80\nsweep.retry = { max_steps = 100000 }\n")
     for executor in (None, ThreadPoolExecutor(2)):
         mended = scene.sweep(executor=executor)
         assert (mended["status"] == 0).all()

@@ -93,9 +93,8 @@ double pm_rk_error(const struct pm_rk *r, double h, double rounding)
 {
     double of_5, beside, of_3;
     error_squares(r, &of_5, &beside, &of_3);
-    const double both = sqrt((of_5 + PM_RK_BESIDE * beside) / (1 + PM_RK_BESIDE)), left = both - rounding / h,
-                 e5 = left < 0 ? 0 : left; /* NaN stays NaN */
-    return e5 == 0 ? 0 : h * e5 * e5 / sqrt((e5 * e5 + 0.01 * of_3) * r->controlled);
+    const double e5 = sqrt((of_5 + PM_RK_BESIDE * beside) / (1 + PM_RK_BESIDE)) - rounding / h;
+    return e5 <= 0 ? 0 : h * e5 * e5 / sqrt((e5 * e5 + 0.01 * of_3) * r->controlled); /* NaN stays NaN */
 }
 
 static int prepare_dense(pm_workspace *w)
