@@ -61,6 +61,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->last, ntrigger),
         PM_ARRAY(e->came, ntrigger),
         PM_ARRAY(e->spent, ncontact),
+        PM_ARRAY(e->vain, ncontact),
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
         PM_ARRAY(e->culling.moved, m->nbody + 1),
@@ -143,8 +144,9 @@ static void add_gap(pm_workspace *w, int contact)
 {
     pm_event_set *e = w->event;
     pm_event_function *f = &e->function[e->nfunction];
-    add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC, pm_contact_length(&w->frame),
-        w->numbers.size);
+    /* what others all but hold is left open, and sinks by a hair: each time it closes in vain it may sink by twice as much */
+    add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC,
+        ldexp(pm_contact_length(&w->frame), e->vain[contact]), w->numbers.size);
     const int beside_edge = pm_edge_is(w->model, contact), open_edge = beside_edge && is_open(w, contact);
     f->below = (beside_edge && pm_edge_is_below(&w->frame, contact)) ||
                pm_contact_curve_is_below(&w->frame, &w->state, contact);

@@ -19,6 +19,7 @@
 #include "impact/drives.h"
 #include "impact/impact.h"
 #include "impact/meeting.h"
+#include "impact/progress.h"
 #include "impact/switches.h"
 #include "impact/table_ends.h"
 #include "numerics/tolerances_impact.h"
@@ -263,17 +264,6 @@ static int mark_reversal(pm_workspace *w)
     return pm_saddle_accelerate(w);
 }
 
-static int contact_hit(const pm_workspace *w)
-{
-    const pm_event_set *e = w->event;
-    for (int i = e->ntrigger; i < e->nfunction; i++)
-        if (e->hit[i] && e->function[i].kind == FUNCTION_GAP) return e->function[i].index;
-    for (int i = e->ntrigger; i < e->nfunction; i++)
-        if (e->hit[i] && pm_event_contact_change(e, i) != PM_NONE)
-            return pm_contact_of_slot(w->model, e->function[i].index);
-    return PM_NONE;
-}
-
 int pm_instant_jams(pm_workspace *w, int status)
 {
     if (status != PM_STEP_TOO_SMALL && status != PM_SOLVER && status != PM_SINGULAR &&
@@ -286,37 +276,6 @@ int pm_instant_jams(pm_workspace *w, int status)
     if (w->instant.jams) return PM_OK;
     return pm_fail(&w->result, PM_PAINLEVE, PM_TABLE_CONTACT, contact, pm_contact_kinetic(&w->frame, contact),
                    1);
-}
-
-/* A rough contact whose load vanishes can neither push nor let go while its friction is needed (contact_modes_solve.c): what
- * pushes by rounding alone only puts that off. */
-static int rough_lets_go(const pm_workspace *w)
-{
-    const pm_event_set *e = w->event;
-    for (int i = e->ntrigger; i < e->nfunction; i++)
-        if (e->hit[i] && e->function[i].kind == FUNCTION_NORMAL &&
-            pm_contact_friction(w->model, pm_contact_of_slot(w->model, e->function[i].index)) ==
-                PM_FRICTION_ROUGH)
-            return 1;
-    return 0;
-}
-
-/* Modes that change in turn lead nowhere where no time passes between their instants; a route along a path may keep no
- * time, and gets on if it has gone some way. */
-static int check_progress(pm_workspace *w)
-{
-    const int goes = !w->phase.route->in_time && w->step.whole_end > PM_AT_ONCE * w->numbers.size;
-    if (goes || fabs(w->state.t - w->instant.since) > PM_AT_ONCE * fabs(w->state.t)) {
-        w->instant.since = w->state.t;
-        w->instant.at_once = w->instant.let_go = 0;
-    }
-    w->instant.let_go |= rough_lets_go(w);
-    const int most = w->instant.let_go ? PM_LET_GO_AT_ONCE : PM_INSTANTS_AT_ONCE;
-    if (++w->instant.at_once < most) return PM_OK;
-    const double many = (double)w->instant.at_once;
-    const int status = pm_fail(&w->result, w->instant.let_go ? PM_ROUGH_IMPOSSIBLE : PM_ALTERNATES,
-                               PM_TABLE_CONTACT, contact_hit(w), many, many);
-    return pm_instant_jams(w, status);
 }
 
 static int reads_accelerations(const pm_model *m, int trigger)
@@ -350,7 +309,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
     pm_frame_look_state(&w->frame, &w->state);
-    int status = check_progress(w);
+    int status = pm_progress_check(w);
     if (!status) status = pm_history_append(w, 1);
     if (!status && looks_at_accelerations(w)) status = pm_saddle_accelerate(w);
     if (!status) status = pm_meeting_reach(w);

@@ -89,13 +89,13 @@ FAULTS = [
     ),
     Fault(
         "instants without time go on for ever",
-        "impact/instant.c",
-        "if (++w->instant.at_once < most) return PM_OK;",
+        "impact/progress.c",
+        "if (w->instant.at_once < most) return PM_OK;",
         "if (1) return PM_OK;",
     ),
     Fault(
         "instants without time add up over the run",
-        "impact/instant.c",
+        "impact/progress.c",
         "w->instant.at_once = w->instant.let_go = 0;",
         "",
     ),
