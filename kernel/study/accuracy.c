@@ -281,22 +281,23 @@ static int refine(pm_workspace *w, const double *param, double *error, double *t
     return 0;
 }
 
-/* Nobody knows the errors of a run that goes on where the coarse one fails. */
-static int fails_nearby(const pm_accuracy *e)
+/* Nobody knows the errors of a run that goes on where all that it could be compared with fails. */
+static void know_nothing(const pm_workspace *w, double *error, double *trust)
 {
-    return e->main->status == PM_OK && e->other->coarse && e->other->status < PM_OK;
+    const pm_pass *p = w->accuracy->main;
+    for (int k = 0; k < w->model->nout; k++) error[k] = isnan(p->out[k]) ? NAN : INFINITY;
+    trust[PM_TRUST_EXCESS] = INFINITY;
 }
 
 static void climb(pm_workspace *w, const double *param, double *error, double *trust)
 {
     pm_accuracy *e = w->accuracy;
     find_sizes(w);
-    if (!judge_by_coarse(w, param, NULL, error, trust) && fails_nearby(e)) {
-        pm_margin_undecided(w->model, e, 0);
-        return;
-    }
+    judge_by_coarse(w, param, NULL, error, trust);
     for (int i = 0; i < PM_ACCURACY_REFINEMENTS && !good_enough(w, trust); i++)
         if (!refine(w, param, error, trust)) break;
+    if (isnan(trust[PM_TRUST_MARGIN]) && e->main->status == PM_OK && w->patience.over == 0)
+        know_nothing(w, error, trust);
     /* a run that sits on the threshold that was sought is not in doubt */
     if (e->main->status == PM_OK && trust[PM_TRUST_MARGIN] < 1 && !w->evidence.seeks)
         pm_margin_undecided(w->model, e, trust[PM_TRUST_MARGIN]);

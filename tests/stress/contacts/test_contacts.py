@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import planemotion
 from planemotion import _layout as layout
 from tests.stress.contacts import course, one_body, thrown
 from tests.stress.contacts.instants import CONFIRMED, REFUTED, Instant, going_on, last, recounted, touches
@@ -316,3 +317,11 @@ def test_a_contact_that_only_carried_others_gives_nothing_back() -> None:
         drawn = one_body.draw(np.random.default_rng([seed, contacts, 2, True]), 500, contacts, blow=True)
         found = one_body.run(one_body.scene(contacts, "stronge", blow=True), drawn, blow=True)
         np.testing.assert_allclose(found.out[case], 0, atol=1e-12)
+
+
+def test_a_run_of_which_no_comparison_stands_has_no_error_that_could_be_believed() -> None:
+    """Its coarse runs find no contacts for a blow late in a series, where it finds some itself."""
+    result = planemotion.load_text(throw(506792).text()).run()
+    assert result.status == "ok"
+    assert all(ask.error is None for ask in result.asks.values())
+    assert "the greatest estimated error is inf times as large" in result.notes[0]
