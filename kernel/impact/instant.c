@@ -227,7 +227,7 @@ int pm_instant_finish(pm_workspace *w, int *ended)
 
 int pm_instant_start(pm_workspace *w)
 {
-    w->instant.since = -1;
+    pm_progress_begin(w);
     int ended; /* is set again when the start is closed */
     const int64_t jumps = w->result.count[PM_COUNT_JUMPS];
     pm_switches_begin(w);

@@ -55,6 +55,17 @@ static void note_vain(pm_workspace *w)
     }
 }
 
+static void forget_vain(pm_workspace *w)
+{
+    memset(w->event->vain, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
+}
+
+void pm_progress_begin(pm_workspace *w)
+{
+    w->instant.since = -1;
+    forget_vain(w);
+}
+
 /* Modes that change in turn lead nowhere where no time passes between their instants; a route along a path may keep no
  * time, and gets on if it has gone some way. */
 int pm_progress_check(pm_workspace *w)
@@ -63,7 +74,7 @@ int pm_progress_check(pm_workspace *w)
     if (goes || fabs(w->state.t - w->instant.since) > PM_AT_ONCE * fabs(w->state.t)) {
         w->instant.since = w->state.t;
         w->instant.at_once = w->instant.let_go = 0;
-        memset(w->event->vain, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
+        forget_vain(w);
     }
     w->instant.let_go |= rough_lets_go(w);
     const int most = w->instant.let_go ? PM_LET_GO_AT_ONCE : PM_INSTANTS_AT_ONCE;
