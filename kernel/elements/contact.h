@@ -23,6 +23,14 @@ static inline int pm_contact_slots(const pm_model *m, int contact)
 {
     return m->contact_slot[contact + 1] - m->contact_slot[contact];
 }
+/* No member of it is closed. */
+static inline int pm_contact_is_open(const pm_model *m, const pm_state *s, int contact)
+{
+    const int first = m->contact_slot[contact];
+    for (int i = first; i < first + pm_contact_slots(m, contact); i++)
+        if (s->slot[i].mode != PM_OPEN) return 0;
+    return 1;
+}
 /* The contact that a slot belongs to. */
 static inline int pm_contact_of_slot(const pm_model *m, int slot) { return m->contact_of_slot[slot]; }
 /* It has one member, 0, that closes and opens as a whole: no pattern, edge or curve. */

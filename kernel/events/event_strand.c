@@ -67,7 +67,7 @@ static int ends(pm_workspace *w, int slot, int leaves_rim)
                    w->state.t, leaves_rim);
 }
 
-/* So short, or nothing is left of it after a few steps like the last, or was before them. */
+/* So short, or nothing is left of it a few steps like the last from here, ahead or behind. */
 static int is_about_to_end(const pm_workspace *w, int strand)
 {
     double approach, nothing;

@@ -87,15 +87,6 @@ static int rests_beside(const pm_workspace *w, int contact, pm_touch *x)
            !pm_contact_modes_released(w->model, &w->instant, contact, x->member);
 }
 
-/* No member is closed. */
-static int is_open(const pm_workspace *w, int contact)
-{
-    const int first = w->model->contact_slot[contact];
-    for (int i = first; i < first + pm_contact_slots(w->model, contact); i++)
-        if (w->state.slot[i].mode != PM_OPEN) return 0;
-    return 1;
-}
-
 /* Nothing moves in a blow: what is open and does not touch before it does not touch after it. */
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
@@ -106,7 +97,7 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
     if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) {
-        w->blow->apart[contact] = is_open(w, contact) ? PM_APART : PM_NOT_APART;
+        w->blow->apart[contact] = pm_contact_is_open(w->model, &w->state, contact) ? PM_APART : PM_NOT_APART;
         return rests_beside(w, contact, x);
     }
     pm_contact_member_gap(&w->frame, contact, x->member, &x->rate);

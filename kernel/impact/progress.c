@@ -35,22 +35,14 @@ static int rough_lets_go(const pm_workspace *w)
     return 0;
 }
 
-static int is_open(const pm_workspace *w, int contact)
-{
-    const int first = w->model->contact_slot[contact], last = first + pm_contact_slots(w->model, contact);
-    for (int i = first; i < last; i++)
-        if (w->state.slot[i].mode != PM_OPEN) return 0;
-    return 1;
-}
-
 /* Contacts that close again and again and are left open each time: nothing else goes on. */
 static void note_vain(pm_workspace *w)
 {
     const pm_event_set *e = w->event;
     for (int i = e->ntrigger; i < e->nfunction; i++) {
         const int contact = e->function[i].index;
-        if (e->hit[i] && e->function[i].kind == FUNCTION_GAP && is_open(w, contact) &&
-            e->vain[contact] < PM_VAIN_MOST)
+        if (e->hit[i] && e->function[i].kind == FUNCTION_GAP &&
+            pm_contact_is_open(w->model, &w->state, contact) && e->vain[contact] < PM_VAIN_MOST)
             e->vain[contact]++;
     }
 }

@@ -303,8 +303,8 @@
 #define PM_ACCURACY_CLAIMED_PLACE 2e-14 /* the same of the place of an extreme; likewise */
 #define PM_ACCURACY_COARSE 1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
 #define PM_ACCURACY_FEW 16 /* steps of a run: two runs of few steps may err alike; more: estimates cost more; less: errors are told too small */
-#define PM_ACCURACY_LOOSE 1e-8 /* accuracies from which on errors of steps go less with the tolerance: two coarse runs; less: estimates cost more; more: errors are told too small by chance */
-#define PM_ACCURACY_ANOTHER 2.5 /* tolerance of the second, of that of the first; likewise */
+#define PM_ACCURACY_LOOSE 1e-8 /* accuracies above it take two coarse runs on rk, as errors of such steps hardly go with the tolerance; less: estimates cost more; more: errors are told too small by chance */
+#define PM_ACCURACY_ANOTHER 2.5 /* times the tolerance of the first of them: that of the second; less: both may err alike; more: errors are estimated too large */
 #define PM_ACCURACY_REFINEMENTS 2 /* passes at tighter tolerances; more: longer runs that may not get better */
 #define PM_ACCURACY_LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next: least change; more: more passes */
 #define PM_ACCURACY_MOST_FACTOR 0.1 /* the same: a smaller change is not worth a pass */

@@ -37,8 +37,8 @@
 #define PM_JOINTS_TURNED 1e-14 /* rad: it is found; larger: less exact */
 #define PM_JOINTS_FREE 1e-12 /* of the response of a joint's slip, or of what moves its reaction: none; larger: frictions are left out */
 #define PM_INSTANTS_AT_ONCE 1000 /* instants with no time between them; more: contacts that change in turn for ever end later */
-#define PM_VAIN_INSTANTS 50 /* with no time between them: a contact that closes and is left open so often may sink a little; more: later; fewer: what closes in the end sinks */
-#define PM_VAIN_MOST 10 /* times twice as far as what counts as touching; more: contacts overlap; fewer: such runs end */
+#define PM_VAIN_INSTANTS 50 /* with no time between them: after so many a contact that closes and is left open may sink a little; more: later; fewer: what closes in the end sinks */
+#define PM_VAIN_MOST 10 /* doublings of what counts as touching for it; more: contacts overlap; fewer: such runs end */
 #define PM_LET_GO_AT_ONCE 20 /* likewise where the load of a rough contact vanishes; larger: it is told later, smaller: a load that is rounding once ends a run */
 #define PM_AT_ONCE 1e-14 /* of the time: so much is none; larger: short phases are none */
 #define PM_DRIVE_SAME 1e-11 /* of the scene's size: a prescribed place that changes by less at an instant does not jump; larger: small steps are passed over */

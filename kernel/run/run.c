@@ -316,11 +316,11 @@ static void keep_sound(pm_workspace *w, int status)
     pm_ask_keep(w, sound, PM_REASON_FAILED);
 }
 
-/* A route that integrates velocities knows next to nothing of them where it ends at a singular position. */
+/* A route that integrates velocities knows next to nothing of them where its steps end at a singular position. */
 static int ends_at_singular(pm_workspace *w)
 {
-    const int route = w->phase.route ? w->phase.route->route : PM_ROUTE_PATH;
-    if ((route != PM_ROUTE_RK && route != PM_ROUTE_IDA) || w->active.n == 0) return PM_OK;
+    const int route = w->phase.route->route, steps = w->result.count[PM_COUNT_STEPS] > 0;
+    if (!steps || (route != PM_ROUTE_RK && route != PM_ROUTE_IDA) || w->active.n == 0) return PM_OK;
     if (pm_saddle_independence_there(w, &w->state) < PM_RUN_ENDS_SINGULAR)
         return pm_fail(&w->result, PM_ENDS_SINGULAR, PM_NONE, PM_NONE, 0, 0);
     return w->ask->instant_level == PM_LEVEL_DYNAMIC ? pm_saddle_accelerate(w) : PM_OK;

@@ -11,7 +11,9 @@
  * tolerance, with a coarse run of its own, at most PM_ACCURACY_REFINEMENTS times; what got no better is not taken, and what
  * takes much longer than the first pass is not waited for.  Where a phase is one step, or a run a few, the coarse run
  * takes each in two, and shows a's own error and no more.  The spread of a route is calibrated:
- * studies/benchmarks/calibration.py. */
+ * studies/benchmarks/calibration.py.
+ *
+ * Above an accuracy of PM_ACCURACY_LOOSE a second coarse run is compared on rk.  Where none can be compared, errors are infinite. */
 #include "study/accuracy.h"
 
 #include <math.h>
@@ -223,7 +225,7 @@ static int errs_by_chance(const pm_workspace *w)
 {
     const pm_accuracy *e = w->accuracy;
     return w->numbers.accuracy > PM_ACCURACY_LOOSE && e->other->coarse && !e->other->fine &&
-           (e->main->count[PM_COUNT_ROUTES] & ((int64_t)1 << PM_ROUTE_RK)) != 0;
+           pm_pass_steps_on_rk(e->main);
 }
 
 /* A second coarse run, at another tolerance: each error is the greater of both.  One that decided otherwise, which the first did not,

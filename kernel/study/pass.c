@@ -27,11 +27,15 @@ static uint64_t outcome_of(const pm_model *model, const pm_firing *firing, const
     return hash;
 }
 
+int pm_pass_steps_on_rk(const pm_pass *p)
+{
+    return (p->count[PM_COUNT_ROUTES] & ((int64_t)1 << PM_ROUTE_RK)) != 0;
+}
+
 /* So few steps on a route whose errors go with them that another run may err alike. */
 static int takes_few_steps(const pm_pass *p)
 {
-    return p->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW &&
-           (p->count[PM_COUNT_ROUTES] & ((int64_t)1 << PM_ROUTE_RK)) != 0;
+    return p->count[PM_COUNT_STEPS] <= PM_ACCURACY_FEW && pm_pass_steps_on_rk(p);
 }
 
 void pm_pass_make(pm_workspace *w, const double *param, pm_pass *p, double factor, int coarse)

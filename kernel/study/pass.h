@@ -9,6 +9,8 @@
 void pm_pass_make(pm_workspace *w, const double *param, pm_pass *p, double factor, int coarse);
 /* Its answers hold, as far as it came. */
 int pm_pass_stands(const pm_pass *p);
+/* Some phase of it, or all, ran on rk. */
+int pm_pass_steps_on_rk(const pm_pass *p);
 /* It took more steps than a pass is waited for, not more than the scene allows. */
 int pm_pass_took_too_long(const pm_evidence *evidence, const pm_pass *p);
 

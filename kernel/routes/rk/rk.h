@@ -65,7 +65,7 @@ int pm_rk_choose_coordinates(pm_workspace *w);
 
 /* rk_formula.c: stages 1..11 of a step h from r->t0, r->y0 with stage 0 in k; the end of the step in y. */
 int pm_rk_stages(pm_workspace *w, double h, double *k, double *y);
-/* The error of the step in r->k over the allowed one, and beside what rounding makes of it. */
+/* The error of the step in r->k over the allowed one, less what rounding makes of it (over the allowed one, too). */
 double pm_rk_error(const struct pm_rk *r, double h, double rounding);
 /* r->y at t inside the last step; the ledger is not asked for there and stays as at its begin. */
 int pm_rk_dense(pm_workspace *w, double t);
