@@ -291,7 +291,7 @@ def test_a_result_says_what_it_holds() -> None:
     assert "undefined" in lines[4]
     page = ElementTree.fromstring(result._repr_html_())
     cells = [[cell.text or "" for cell in row] for row in page.iter("tr")]
-    assert cells[0] == ["ask", "value", "unit", "estimated error"]
+    assert cells[0] == ["ask", "value", "unit", "estimated error or margin"]
     assert cells[1][:3] == ["time", "2000", "ms"]
     assert cells[4][:2] == ["none", "-"]
     assert "undefined" in cells[4][3]

@@ -155,7 +155,7 @@ def shown_answers(result: RunResult) -> dict[str, AskValue]:
 
 def answer_rows(result: RunResult) -> list[tuple[str, str, str, str]]:
     """A table of the answers in words, its head first."""
-    rows = [("ask", "value", "unit", "estimated error")]
+    rows = [("ask", "value", "unit", "estimated error or margin")]
     shown = shown_answers(result)
     rows += [(key, value_text(ask), unit_text(ask), note_text(ask)) for key, ask in shown.items()]
     return rows
