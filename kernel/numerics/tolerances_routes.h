@@ -37,10 +37,16 @@
 #define PM_PATH_TIME_TAIL 30 /* of the tolerance: tail of dt/du, whose integral is 1000 times better; more: less exact times */
 #define PM_PATH_PART 0.25 /* of a full step: a longer way to a place of rest takes a coarse run two steps; more: one */
 #define PM_PATH_SHORTEST 1e-12 /* of a full step: shorter ones end the run; more: it ends earlier */
+#define PM_PATH_TIME_LOOSE 3e-6 /* tail of dt/du at the most: where it falls more slowly the integral is not 1000 times better; more: errors of time at loose tolerances estimated too small */
 #define PM_CLOCK_NOISE 1e-6 /* a tail below it that no halving makes smaller is rounding; more: real tails pass */
 #define PM_CLOCK_GAINS 0.5 /* of the tail over a longer step: what is no rounding falls below; more: rounding is halved */
 #define PM_CLOCK_FEWER 4.0 /* weight of the tail at the nodes of a step, which are fewer; more: finer nodes are taken more often */
 #define PM_CLOCK_OPEN 32.0 /* weight of that tail inside a step, by 1/2k and not 1/k^2; more: errors of time estimated larger */
+#define PM_CLOCK_OFF 250.0 /* weight of the tails of mass and T, half of which the time is off by where it is slow, 0.5 / PM_ERROR_UNRESOLVED; more: shorter steps */
+#define PM_CLOCK_SLOWEST 0.05 /* from one coefficient to the next: so much they are taken to fall at the least; more: errors of time estimated smaller */
+#define PM_CLOCK_ROUNDED 1e-15 /* of the mass: coefficients below it are rounding; more: errors of time estimated smaller */
+#define PM_CLOCK_FALLS 1e-5 /* from four coefficients to the next: where they fall by more, nothing is taken for a constant; more: errors of time estimated smaller */
+#define PM_CLOCK_CONSTANT 20.0 /* likewise, of the power by which they fall; more: errors of time estimated larger */
 #define PM_CLOCK_LATE 4e-16 /* of the time: so much rounding may leave out of it; more: other differences are taken for that */
 #define PM_CLOCK_ROUNDING 7e-15 /* of a time, in coarse runs: PM_COARSER roundings, of which no two cancel; more: errors of late answers estimated larger */
 #define PM_PATH_ROUNDED 7e-15 /* of the driver, in coarse runs: PM_COARSER roundings; more: errors beside places of rest estimated larger */

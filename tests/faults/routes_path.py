@@ -73,8 +73,8 @@ FAULTS = [
     Fault(
         "error: the clock's own",
         "routes/path/path_error.c",
-        "p->clock.error += dt",
-        "p->clock.error += 0",
+        "p->clock.error += unresolved + 0.5 * dt * p->error / by;",
+        "",
     ),
     Fault(
         "error: an event that ends the run",

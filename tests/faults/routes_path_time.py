@@ -1,8 +1,38 @@
-"""Faults planted in `kernel/routes/path/`: errors at given times."""
+"""Faults planted in `kernel/routes/path/`: errors of the time, and at given times."""
 
 from tests.faults.fault import Fault
 
 FAULTS = [
+    Fault(
+        "path: the tail of the clock is that of its last two coefficients alone",
+        "routes/path/path_clock.c",
+        "return pm_max(last, here * sqrt(*falls));",
+        "return last;",
+    ),
+    Fault(
+        "path: a clock that falls slowly is good enough at a loose tolerance",
+        "routes/path/path_step.c",
+        "pm_min(most, PM_PATH_TIME_LOOSE)",
+        "most",
+    ),
+    Fault(
+        "path: a clock takes nothing for a constant",
+        "routes/path/path_clock.c",
+        "falls > PM_CLOCK_FALLS ? pm_min(1, PM_CLOCK_CONSTANT * pow(falls, power)) : 0;",
+        "0 * power * falls;",
+    ),
+    Fault(
+        "path: a clock knows T between the nodes as well as itself",
+        "routes/path/path_clock.c",
+        "PM_CLOCK_OFF * off, tail",
+        "off, tail",
+    ),
+    Fault(
+        "path: no step leaves most of what is left out of the time",
+        "routes/path/path_error.c",
+        "return pm_max(PM_CLOCK_LIKELY * clock->unresolved, clock->greatest);",
+        "return PM_CLOCK_LIKELY * clock->unresolved;",
+    ),
     Fault(
         "path: what is asked at a time is not late",
         "routes/path/path_error_time.c",

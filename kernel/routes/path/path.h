@@ -90,6 +90,7 @@ typedef struct pm_clock {
     double late;                   /* s, what rounding has left out of t0: it is made up for */
     double rate;                   /* 1; of a coarse run, what errors that are all alike would make of it */
     double unresolved;             /* s, since the run began: what the nodes of the steps leave out */
+    double greatest;               /* s, of that, in one step; in steps that repeat, together */
     double tail;                   /* of the clock of the step that was tried before */
     double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du */
     int terms;                     /* of them: how many matter */
@@ -229,6 +230,8 @@ void pm_path_error_begin(pm_workspace *w);
 void pm_path_error_end(pm_workspace *w);
 /* The error of T, J, where the step ends with `kinetic`, J. */
 double pm_path_error_after(const struct pm_path *path, double kinetic);
+/* What the steps leave out of the time, s: many are off to either side, and leave a part of the sum; one may leave most of it. */
+double pm_path_error_unresolved(const pm_clock *clock);
 /* After a step that ends with `kinetic`. */
 void pm_path_error_step(pm_workspace *w, double kinetic);
 /* T passed a barrier at `distance` above it, or reversed as much below. */

@@ -33,7 +33,8 @@ static double slowness(const pm_path *p, int node)
 enum {
     MANY = PM_NODES_MOST - 1, /* the last node of a step */
     FEW = MANY / 2,
-    PAIRS = PM_CLOCK_PAIRS
+    PAIRS = PM_CLOCK_PAIRS,
+    GROUP = 4 /* coefficients that are looked at together */
 };
 
 /* ---- tables ---- */
@@ -138,55 +139,116 @@ INLINE void take_odd(const pm_clock_table *table, double *value, const int m, in
     for (int k = 0; k < half; k++) sum[(2 * k + 1) * step] = odd[k / 2][k % 2];
 }
 
-/* The coefficients of g from its values at n + 1 nodes, as many as matter; how far the highest stand off. */
-INLINE double transform(pm_path *p, const double *g, const int n)
+/* The coefficients of values at n + 1 nodes; the greatest of them. */
+INLINE double transform(const pm_clock_table *table, const double *given, const int n, double *series)
 {
     double value[PM_NODES_CLOCK], sum[PM_NODES_CLOCK], greatest = 0;
-    for (int k = 0; k <= n; k++) value[k] = g[n - k];
+    for (int k = 0; k <= n; k++) value[k] = given[n - k];
     /* one after the other, so that each has numbers that the compiler knows */
-    if (n == FINE) take_odd(&p->clock.table, value, FINE, 1, sum);
-    if (n >= MANY) take_odd(&p->clock.table, value, MANY, n / MANY, sum);
-    take_odd(&p->clock.table, value, FEW, n / FEW, sum);
-    take_odd(&p->clock.table, value, 4, n / 4, sum);
-    take_odd(&p->clock.table, value, 2, n / 2, sum);
+    if (n == FINE) take_odd(table, value, FINE, 1, sum);
+    if (n >= MANY) take_odd(table, value, MANY, n / MANY, sum);
+    take_odd(table, value, FEW, n / FEW, sum);
+    take_odd(table, value, 4, n / 4, sum);
+    take_odd(table, value, 2, n / 2, sum);
     sum[0] = 0.5 * (value[0] + value[1]);
     sum[n] = 0.5 * (value[0] - value[1]);
     for (int k = 0; k <= n; k++) {
-        p->clock.series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
-        greatest = pm_max(fabs(p->clock.series[k]), greatest);
+        series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
+        greatest = pm_max(fabs(series[k]), greatest);
     }
-    const double tail = pm_max(fabs(p->clock.series[n]), fabs(p->clock.series[n - 1])) / greatest;
+    return greatest;
+}
+
+/* ---- what is left out ---- */
+/* The greatest of GROUP coefficients. */
+static inline double greatest_from(const double *series)
+{
+    double greatest = 0;
+    for (int k = 0; k < GROUP; k++) greatest = pm_max(fabs(series[k]), greatest);
+    return greatest;
+}
+
+/* What the coefficients have fallen to at the last two; *falls: from group to group, 1 at the most.  The last may be nearly zero, as
+ * they pass through it slowly where poles are beside an end of the step; the greatest of a group is not. */
+static inline double fallen(const double *series, int n, double *falls)
+{
+    const double before = greatest_from(series + n - 2 * GROUP + 1),
+                 here = greatest_from(series + n - GROUP + 1),
+                 last = pm_max(fabs(series[n]), fabs(series[n - 1]));
+    *falls = here < before ? here / before : 1;
+    return pm_max(last, here * sqrt(*falls));
+}
+
+/* The sum of the coefficients after those of the values at n + 1 nodes; 0: below `rounding`. */
+INLINE double remainder_of(const pm_clock_table *table, const double *value, const int n, double rounding)
+{
+    double series[PM_NODES_MOST], falls;
+    transform(table, value, n, series);
+    const double last = fallen(series, n, &falls), ratio = sqrt(sqrt(falls));
+    return last > rounding ? last * ratio / pm_max(1 - ratio, PM_CLOCK_SLOWEST) : 0;
+}
+
+/* What the nodes take for a constant, of the last coefficient: number 2n, and its multiples.  As a power of the number it falls from
+ * group to group, as where a corner is in the step. */
+INLINE double taken_for_constant(const int n, double falls)
+{
+    const double power = 1 / log2((n - 0.5 * (GROUP - 1)) / (n - 0.5 * (3 * GROUP - 1)));
+    return falls > PM_CLOCK_FALLS ? pm_min(1, PM_CLOCK_CONSTANT * pow(falls, power)) : 0;
+}
+
+/* g by its values at n + 1 nodes, with as many coefficients as matter.  How far the highest of them stand off, times
+ * PM_ERROR_UNRESOLVED what its integral leaves out: `weight` times as far, or by what is taken for a constant. */
+INLINE double set_series(pm_path *p, const double *g, const int n, double weight, double *high)
+{
+    double falls;
+    const double greatest = transform(&p->clock.table, g, n, p->clock.series);
     p->clock.terms = n + 1;
     while (p->clock.terms > 1 && fabs(p->clock.series[p->clock.terms - 1]) < PM_CLOCK_NOTHING * greatest)
         p->clock.terms--;
-    return tail;
+    *high = fallen(p->clock.series, n, &falls) / greatest;
+    return pm_max(weight, taken_for_constant(n, falls) / PM_ERROR_UNRESOLVED) * *high;
 }
 
 /* The nodes of the step, if they resolve g itself. */
 static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, double most)
 {
     const int last = p->nodes->n - 1;
-    double g[PM_NODES_MOST];
+    double g[PM_NODES_MOST], high;
     for (int k = 0; k <= last; k++) g[k] = slow(mass[k], kinetic[k]);
-    const double high = last == MANY ? transform(p, g, MANY) : transform(p, g, FEW);
+    const double tail = last == MANY ? set_series(p, g, MANY, PM_CLOCK_OPEN, &high)
+                                     : set_series(p, g, FEW, PM_CLOCK_OPEN, &high);
     if (!(PM_CLOCK_FEWER * high <= most)) return 0;
-    p->clock.tail = PM_CLOCK_OPEN * high;
+    p->clock.tail = tail;
     return 1;
+}
+
+/* How far the polynomials through mass and T are off, of the least T; what is rounded of T counts elsewhere (path_error.c). */
+INLINE double off_between(const pm_path *p, const double *mass, const double *kinetic, const int last)
+{
+    double heaviest = 0, least = INFINITY;
+    for (int k = 0; k <= last; k++) {
+        heaviest = pm_max(mass[k], heaviest);
+        least = pm_min(kinetic[k], least);
+    }
+    if (!(least > 0)) return INFINITY;
+    const double rounded = p->error + PM_ENERGY_ROUNDINGS * fabs(p->energy);
+    return remainder_of(&p->clock.table, mass, last, PM_CLOCK_ROUNDED * heaviest) / heaviest +
+           remainder_of(&p->clock.table, kinetic, last, rounded) / least;
 }
 
 /* The fine nodes, by the polynomials through mass and T.  How far the highest coefficients of all stand off. */
 static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 {
     const pm_clock_table *table = &p->clock.table;
-    double g[PM_NODES_CLOCK], least = INFINITY;
-    if (p->nodes->n - 1 == MANY)
+    const int many = p->nodes->n - 1 == MANY;
+    double g[PM_NODES_CLOCK], high;
+    if (many)
         expand(mass, kinetic, MANY, table->same_17, table->other_17, g);
     else
         expand(mass, kinetic, FEW, table->same_9, table->other_9, g);
-    for (int k = 0; k < p->nodes->n; k++) least = pm_min(kinetic[k], least);
-    const double high = transform(p, g, FINE);
-    if (!(least > 0) || isnan(high)) return INFINITY;
-    return fmax(fmax(pm_chebyshev_tail(p->nodes, mass), pm_chebyshev_high(p->nodes, kinetic) / least), high);
+    const double tail = set_series(p, g, FINE, 1, &high),
+                 off = many ? off_between(p, mass, kinetic, MANY) : off_between(p, mass, kinetic, FEW);
+    return isnan(tail) ? INFINITY : pm_max(PM_CLOCK_OFF * off, tail);
 }
 
 int pm_path_clock_set(pm_path *p, int clock, double most)

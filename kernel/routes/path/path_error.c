@@ -43,7 +43,7 @@ void pm_path_error_begin(pm_workspace *w)
     pm_path *p = w->path;
     const double kinetic = p->begin.kinetic;
     const int is_first = w->result.count[PM_COUNT_PHASES] == 0;
-    if (is_first) p->error = p->ended = p->clock.error = p->clock.unresolved = 0;
+    if (is_first) p->error = p->ended = p->clock.error = p->clock.unresolved = p->clock.greatest = 0;
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->ended = 0;
     p->error += PM_ENERGY_ROUNDINGS * kinetic + (is_first ? 0 : rounding_of_place(w));
@@ -70,9 +70,15 @@ static void step_of_clock(const pm_model *model, const pm_state *state, pm_path 
         greatest = pm_max(p->node[k * p->every].kinetic, greatest);
     }
     const double by = p->clock.kind == PM_CLOCK_PLAIN ? least : greatest / PM_ERROR_RESTING;
-    const double dt = state->t - p->clock.t0;
-    p->clock.error += dt * (PM_ERROR_UNRESOLVED * p->clock.tail + 0.5 * p->error / by);
-    p->clock.unresolved += dt * PM_ERROR_UNRESOLVED * p->clock.tail;
+    const double dt = state->t - p->clock.t0, unresolved = dt * PM_ERROR_UNRESOLVED * p->clock.tail;
+    p->clock.error += unresolved + 0.5 * dt * p->error / by;
+    p->clock.unresolved += unresolved;
+    p->clock.greatest = pm_max(unresolved, p->clock.greatest);
+}
+
+double pm_path_error_unresolved(const pm_clock *clock)
+{
+    return pm_max(PM_CLOCK_LIKELY * clock->unresolved, clock->greatest);
 }
 
 double pm_path_error_after(const pm_path *p, double kinetic)
@@ -87,7 +93,7 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
     p->error = pm_path_error_after(p, kinetic);
     step_of_clock(w->model, &w->state, p);
     if (w->evidence.active && w->state.t > 0)
-        w->evidence.present->late = PM_CLOCK_LIKELY * p->clock.unresolved / w->state.t;
+        w->evidence.present->late = pm_path_error_unresolved(&p->clock) / w->state.t;
     if (w->evidence.active)
         w->evidence.present->relative = pm_max(relative_error(p), w->evidence.present->relative);
 }

@@ -186,8 +186,7 @@ static double likely_error(const pm_workspace *w)
 {
     const pm_clock *c = &w->path->clock;
     const double few = 1 / (double)w->result.count[PM_COUNT_STEPS];
-    return pm_max(PM_CLOCK_LIKELY, few) * c->unresolved +
-           pm_max(PM_ERROR_LIKELY, few) * (c->error - c->unresolved);
+    return pm_path_error_unresolved(c) + pm_max(PM_ERROR_LIKELY, few) * (c->error - c->unresolved);
 }
 
 /* J: T at the place that the frame looked at is rounded by itself, as the energies that make it and the place. */

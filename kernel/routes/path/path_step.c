@@ -284,7 +284,8 @@ static int judge(pm_workspace *w, int reverses, double *next)
                       : p->at_rest            ? PM_CLOCK_LEAVES
                       : reverses              ? PM_CLOCK_RESTS
                                               : PM_CLOCK_PLAIN;
-    if (!pm_path_clock_set(p, clock, pm_max(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL))) {
+    const double most = pm_max(PM_PATH_TIME_TAIL * w->numbers.tolerance, PM_CLOCK_TAIL);
+    if (!pm_path_clock_set(p, clock, pm_min(most, PM_PATH_TIME_LOOSE))) {
         *next = less;
         p->halved = 1;
     }

@@ -8,6 +8,7 @@
 #include "elements/contact.h"
 #include "equations/active_set.h"
 #include "equations/ledger.h"
+#include "numerics/minmax.h"
 #include "routes/path/path.h"
 #include "routes/path/repeat.h"
 #include "state/frame.h"
@@ -66,6 +67,7 @@ double pm_repeat_pass_time(const pm_workspace *w, const pm_repeat *l)
 static void move_clock(pm_path *p, const pm_repeat *l, int64_t segments)
 {
     const double n = (double)segments;
+    p->clock.greatest += n * pm_min(p->clock.greatest, p->clock.unresolved - l->unresolved);
     p->clock.unresolved += n * (p->clock.unresolved - l->unresolved);
     p->clock.error += n * (p->clock.error - l->clock);
 }
