@@ -164,9 +164,11 @@ enum pm_contact_column {
 
 /* ---- forces --------------------------------------------------------------------------------------------- */
 enum pm_force_kind {
-    PM_FORCE_SPRING = 0,  /* points a, b; value_1 stiffness, value_2 free length; option: pm_spring_only */
-    PM_FORCE_TORSION = 1, /* bodies a, b; value_1 stiffness, value_2 free angle(a) - angle(b) */
-    PM_FORCE_DAMPER = 2,  /* points a, b; value_1 rate of (N s/m) the change of distance */
+    /* points a, b; value_1 stiffness, value_2 free length; option: pm_spring_only, and then program_x: the side of its stretch, so
+     * that a phase ends where it becomes slack or no longer is; or PM_NONE */
+    PM_FORCE_SPRING = 0,
+    PM_FORCE_TORSION = 1,       /* bodies a, b; value_1 stiffness, value_2 free angle(a) - angle(b) */
+    PM_FORCE_DAMPER = 2,        /* points a, b; value_1 rate of (N s/m) the change of distance */
     PM_FORCE_ROTARY_DAMPER = 3, /* bodies a, b; value_1 rate (N m s/rad) */
     PM_FORCE_APPLIED = 4,       /* at point a: program_x, program_y, in the axes of body b (ground: scene) */
     PM_FORCE_COUPLE = 5,        /* on body a, opposite on body b (PM_GROUND: none): program_x */

@@ -41,11 +41,20 @@ static void pull(pm_action *x, double size)
     x->power = -size * x->rate;
 }
 
+/* Within a phase it is what it was at the begin, so that its law has no corner in a step. */
+int pm_force_is_slack(pm_workspace *w, const int32_t *e, double stretch)
+{
+    if (e[PM_FORCE_OPTION] == PM_SPRING_BOTH) return 0;
+    const double side = e[PM_FORCE_PROGRAM_X] == PM_NONE
+                            ? stretch
+                            : pm_drive_program(w, e[PM_FORCE_PROGRAM_X]) - 0.5;
+    return e[PM_FORCE_OPTION] == PM_SPRING_PULL ? side < 0 : side > 0;
+}
+
 static void spring(pm_workspace *w, const int32_t *e, pm_action *x)
 {
     const double stiffness = w->numbers.value[e[PM_FORCE_VALUE_1]];
-    const int slack = (e[PM_FORCE_OPTION] == PM_SPRING_PULL && x->stretch < 0) ||
-                      (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && x->stretch > 0);
+    const int slack = pm_force_is_slack(w, e, x->stretch);
     if (!slack) x->energy = 0.5 * stiffness * x->stretch * x->stretch;
     pull(x, slack ? 0 : stiffness * x->stretch);
 }
@@ -192,6 +201,12 @@ const pm_force_ops *pm_force_kind(int kind) { return &kinds[kind]; }
 const pm_force_ops *pm_force_of(const pm_model *m, int force)
 {
     return &kinds[PM_FORCE_ROW(m, force)[PM_FORCE_KIND]];
+}
+
+int pm_force_programs(const int32_t *e)
+{
+    const int sided = e[PM_FORCE_KIND] == PM_FORCE_SPRING && e[PM_FORCE_PROGRAM_X] != PM_NONE;
+    return kinds[e[PM_FORCE_KIND]].programs + sided;
 }
 
 int pm_force_all_steady(const pm_frame *frame, const pm_state *state, const pm_constant_motion *x)

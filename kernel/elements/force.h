@@ -34,10 +34,14 @@ typedef struct pm_force_ops {
 
 const pm_force_ops *pm_force_kind(int kind);
 const pm_force_ops *pm_force_of(const pm_model *m, int force);
+/* Programs that a row of the table refers to: those of its law, or the side of a one-sided spring. */
+int pm_force_programs(const int32_t *e);
 
 /* What the frame alone tells of force i: its stretch and rate are known before any force is. */
 pm_action pm_force_place(const pm_frame *frame, int i);
 pm_action pm_force_action(pm_workspace *w, int i);
+/* A one-sided spring that does not act, with this stretch. */
+int pm_force_is_slack(pm_workspace *w, const int32_t *e, double stretch);
 /* Fills frame.f (all applied forces on q, weight included) and frame.power. */
 void pm_force_all(pm_workspace *w);
 double pm_force_potential(pm_workspace *w);

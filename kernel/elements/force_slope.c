@@ -66,11 +66,9 @@ void pm_force_add_tension(pm_workspace *w, const int32_t *e, const pm_action *ac
                           double weight, pm_slope *to)
 {
     const double number = w->numbers.value[e[PM_FORCE_VALUE_1]];
-    const int slack = (e[PM_FORCE_OPTION] == PM_SPRING_PULL && action->stretch < 0) ||
-                      (e[PM_FORCE_OPTION] == PM_SPRING_PUSH && action->stretch > 0);
     if (e[PM_FORCE_KIND] == PM_FORCE_DAMPER)
         add_line_rate(&w->frame, x, weight * number, to);
-    else if (!slack)
+    else if (!pm_force_is_slack(w, e, action->stretch))
         add_length(&w->frame, x, weight * number, to);
 }
 

@@ -12,13 +12,25 @@
 
 enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS | PM_OPERATION_COUNTS };
 
+/* What is made of a distance has nearly a corner where that is small for a moment, however long the step is. */
+static int is_of_distance(const pm_model *m, int measure)
+{
+    switch ((enum pm_measure_kind)PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND]) {
+    case PM_MEASURE_FORCE_STRETCH:
+    case PM_MEASURE_FORCE_RATE:
+    case PM_MEASURE_FORCE_ENERGY:
+    case PM_MEASURE_CONTACT_GAP: return 1;
+    default: return 0;
+    }
+}
+
 /* What a step of a program may have that its operands have not. */
-static int more_than_operands(const pm_program_step *s)
+static int more_than_operands(const pm_model *m, const pm_program_step *s)
 {
     const int op = s->op;
     switch (s->kind) {
+    case STEP_MEASURE: return is_of_distance(m, s->arg) ? PM_WAVES_ANY : PM_WAVES_NONE;
     case STEP_NUMBER:
-    case STEP_MEASURE:
     case STEP_ANSWER: return PM_WAVES_NONE;
     case STEP_TABLE:
         return op == PM_OP_PIECEWISE ? PM_WAVES_ANY : PM_WAVES_NONE; /* a piece is a polynomial */
@@ -83,7 +95,7 @@ int pm_wave_kinds_of(const pm_model *m, int program)
     const pm_program_fold *f = m->programs.fold;
     int most = PM_WAVES_NONE;
     for (int k = f->first[program]; k < f->first[program + 1]; k++) {
-        const int more = more_than_operands(&f->step[k]);
+        const int more = more_than_operands(m, &f->step[k]);
         if (f->step[k].kind == STEP_ANSWER) return PM_WAVES_NONE;
         if (more > most) most = more;
         k += is_size(m, &f->step[k]);

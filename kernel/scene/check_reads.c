@@ -128,7 +128,7 @@ static int check_forces(const pm_model *m, pm_where *where)
             return pm_bad_table(where, PM_TABLE_FORCE, i, e[PM_FORCE_A], PM_NONE);
         if (kind == PM_FORCE_SPRING && (option < PM_SPRING_BOTH || option > PM_SPRING_PUSH))
             return pm_bad_table(where, PM_TABLE_FORCE, i, option, PM_SPRING_PUSH);
-        for (int k = 0; k < pm_force_kind(kind)->programs; k++) {
+        for (int k = 0; k < pm_force_programs(e); k++) {
             const int measure = pm_program_walk_reads(m, e[PM_FORCE_PROGRAM_X + k], needs_forces);
             if (measure != PM_NONE) return pm_bad_table(where, PM_TABLE_FORCE, i, measure, PM_NONE);
         }

@@ -169,7 +169,7 @@ static int of_force(const int32_t *e, pm_reference *out)
     int n = partners(ops->a, ops->b, out);
     for (int k = 0; k < 2 && ops->number[k]; k++)
         out[n++] = (pm_reference){.column = PM_FORCE_VALUE_1 + k, .of = PM_TABLE_VALUE};
-    for (int k = 0; k < ops->programs; k++)
+    for (int k = 0; k < pm_force_programs(e); k++)
         out[n++] = (pm_reference){.column = PM_FORCE_PROGRAM_X + k, .of = PM_TABLE_PROGRAM};
     return n;
 }

@@ -139,10 +139,10 @@ INLINE void take_odd(const pm_clock_table *table, double *value, const int m, in
     for (int k = 0; k < half; k++) sum[(2 * k + 1) * step] = odd[k / 2][k % 2];
 }
 
-/* The coefficients of values at n + 1 nodes; the greatest of them. */
+/* The coefficients of values at n + 1 nodes; the greatest of them, not a number where a value is none. */
 INLINE double transform(const pm_clock_table *table, const double *given, const int n, double *series)
 {
-    double value[PM_NODES_CLOCK], sum[PM_NODES_CLOCK], greatest = 0;
+    double value[PM_NODES_CLOCK], sum[PM_NODES_CLOCK], greatest = 0, all = 0;
     for (int k = 0; k <= n; k++) value[k] = given[n - k];
     /* one after the other, so that each has numbers that the compiler knows */
     if (n == FINE) take_odd(table, value, FINE, 1, sum);
@@ -155,8 +155,9 @@ INLINE double transform(const pm_clock_table *table, const double *given, const 
     for (int k = 0; k <= n; k++) {
         series[k] = (k == 0 || k == n ? 1.0 : 2.0) / n * sum[k];
         greatest = pm_max(fabs(series[k]), greatest);
+        all += series[k];
     }
-    return greatest;
+    return isnan(all) ? NAN : greatest;
 }
 
 /* ---- what is left out ---- */
@@ -225,13 +226,14 @@ static int set_by_nodes(pm_path *p, const double *mass, const double *kinetic, d
 /* How far the polynomials through mass and T are off, of the least T; what is rounded of T counts elsewhere (path_error.c). */
 INLINE double off_between(const pm_path *p, const double *mass, const double *kinetic, const int last)
 {
-    double heaviest = 0, least = INFINITY;
+    double heaviest = 0, least = INFINITY, greatest = 0;
     for (int k = 0; k <= last; k++) {
         heaviest = pm_max(mass[k], heaviest);
         least = pm_min(kinetic[k], least);
+        greatest = pm_max(kinetic[k], greatest);
     }
     if (!(least > 0)) return INFINITY;
-    const double rounded = p->error + PM_ENERGY_ROUNDINGS * fabs(p->energy);
+    const double rounded = p->error + PM_ENERGY_ROUNDINGS * (fabs(p->energy) + greatest);
     return remainder_of(&p->clock.table, mass, last, PM_CLOCK_ROUNDED * heaviest) / heaviest +
            remainder_of(&p->clock.table, kinetic, last, rounded) / least;
 }
@@ -254,7 +256,8 @@ static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 int pm_path_clock_set(pm_path *p, int clock, double most)
 {
     double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
-    const double before = p->clock.tail;
+    if (p->h < p->clock.length) p->clock.longer = p->clock.tail; /* more nodes of the same step make no rounding known */
+    p->clock.length = p->h;
     p->clock.kind = clock;
     p->clock.terms = 0;
     if (clock == PM_CLOCK_NONE) return 1;
@@ -265,7 +268,7 @@ int pm_path_clock_set(pm_path *p, int clock, double most)
     if (set_by_nodes(p, mass, kinetic, most)) return 1;
     p->clock.tail = set_by_fine(p, mass, kinetic);
     return p->clock.tail <= most ||
-           (p->clock.tail < PM_CLOCK_NOISE && p->clock.tail > PM_CLOCK_GAINS * before);
+           (p->clock.tail < PM_CLOCK_NOISE && p->clock.tail > PM_CLOCK_GAINS * p->clock.longer);
 }
 
 /* The whole integral: what is odd about the middle leaves nothing of it. */

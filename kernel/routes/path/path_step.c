@@ -314,7 +314,7 @@ int pm_path_take_step(pm_workspace *w, double full)
     pm_path *p = w->path;
     double h = full, next, refused = INFINITY; /* the shortest step that was not resolved */
     int reverses = 0, halved = 0, parted = 0;
-    p->clock.tail = INFINITY;
+    p->clock.tail = p->clock.length = p->clock.longer = INFINITY;
     for (;;) {
         const int status = try_step(w, h, reverses, &next);
         if (status) return status;

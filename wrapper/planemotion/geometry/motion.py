@@ -1,7 +1,8 @@
 """Numbers of forces that depend on the motion: read when all that has a name is known.
 
 An element is read before there are measures of it and of the others.  What it says of the motion is a leaf
-that waits; a program with such a leaf has its place in the row of the force, and is made at the end.
+that waits; a program with such a leaf has its place in the row of the force, and is made at the end.  So is
+one with a measure of the element itself: it may switch.
 """
 
 from __future__ import annotations
@@ -46,11 +47,20 @@ class MotionPrograms:
         return Name(f"{_WAITS}{len(self._waiting) - 1}")
 
     def program(self, node: Node, where: str, row: int, column: int) -> int:
-        """The program of an expression for a column of a force; 0 for one that waits."""
-        if not waits(node):
+        """The program of an expression for a column of a force; 0 for one that waits, or that may switch by what
+        the element itself reads of the motion."""
+        if not waits(node) and not self._reads_motion(node):
             return self._tables.program(node, where)
         self._late.append((row, column, node, where))
         return 0
+
+    def _reads_motion(self, node: Node) -> bool:
+        """Whether it reads a measure of more than the time."""
+        rows = self._tables.rows[layout.PM_TABLE_MEASURE]
+        measures = [self._tables.measure_index(leaf) for leaf in names(node)]
+        return any(
+            rows[i][layout.PM_MEASURE_KIND] != layout.PM_MEASURE_TIME for i in measures if i is not None
+        )
 
     def finish(self, read: Callable[[Waiting], Node], program: Callable[[Node, str], Node]) -> None:
         """Makes what waits.

@@ -48,7 +48,14 @@ class Spring(Force):
             stores=True,
             values=((stiffness, f"{path}.stiffness"), (free, f"{path}.free_length")),
             option=_ONLY[self.only],
+            programs=self._sides(to, path),
         )
+
+    def _sides(self, to: Writer, path: str) -> tuple[tuple[Node, str], ...]:
+        """What ends a phase where a spring that only pulls or pushes begins or ceases to act."""
+        if self.only is None:
+            return ()
+        return ((binary(">", to.own(layout.PM_MEASURE_FORCE_STRETCH, path), ZERO), path),)
 
     def _one_sided(self, pull: Node, stretch: Node) -> Node:
         """The same where it acts, else 0."""
