@@ -22,6 +22,12 @@ FAULTS = [
         "for",
     ),
     Fault(
+        "force: a one-sided spring has its corner within a phase",
+        "elements/force.c",
+        "e[PM_FORCE_PROGRAM_X] == PM_NONE",
+        "e[PM_FORCE_PROGRAM_X] >= PM_NONE",
+    ),
+    Fault(
         "force: spring pushes",
         "elements/force.c",
         "slack ? 0 : stiffness * x->stretch",

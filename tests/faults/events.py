@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "waves: a stretch is as smooth as a place",
+        "events/wave_kinds.c",
+        "    case PM_MEASURE_FORCE_STRETCH:\n",
+        "",
+    ),
+    Fault(
         "gap: what parts from deeper than touching allows is not met again",
         "events/event.c",
         "value >= -PM_EDGE_SUNK * pm_contact_length(&w->frame)",

@@ -4,6 +4,18 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "path: what more nodes of the same step do not make smaller is rounding",
+        "routes/path/path_clock.c",
+        "if (p->h < p->clock.length) p->clock.longer",
+        "p->clock.longer",
+    ),
+    Fault(
+        "path: coefficients that are no numbers are as good as any",
+        "routes/path/path_clock.c",
+        "return isnan(all) ? NAN : greatest;",
+        "return all == INFINITY ? NAN : greatest;",
+    ),
+    Fault(
         "path: the tail of the clock is that of its last two coefficients alone",
         "routes/path/path_clock.c",
         "return pm_max(last, here * sqrt(*falls));",
