@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "equations/shared_reading.h"
+#include "events/blows_left.h"
 #include "events/derived.h"
 #include "events/event.h"
 #include "events/integral.h"
@@ -115,6 +116,7 @@ void pm_ask_answer(pm_workspace *w, int ask, int column, int program, double val
     const pm_route_ops *route = w->phase.route;
     answer(w, ask, column, unique(w, ask, program, value));
     const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
+    pm_evidence_more(&w->evidence, out, pm_blows_left_error(w, program));
     if (!route->error_of) return;
     if (!pm_derived_is(w->model, program))
         route->error_of(w, ask, out, program, value);
@@ -225,9 +227,10 @@ void pm_ask_look_before(pm_workspace *w)
 static void answer_fired(pm_workspace *w, int ask, int column, double value)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    if (e[PM_ASK_BEFORE])
+    if (e[PM_ASK_BEFORE]) {
         answer(w, ask, column, value);
-    else
+        pm_evidence_more(&w->evidence, e[PM_ASK_OUT] + column, pm_blows_left_error(w, e[PM_ASK_PROGRAM]));
+    } else
         pm_ask_answer(w, ask, column, e[PM_ASK_PROGRAM], value);
 }
 
