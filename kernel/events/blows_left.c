@@ -5,11 +5,12 @@
  *   T - (T - t) r
  * As long as an event of its blows is waited for - the end of the run, an answer at one of them, an action after so many - each is
  * an instant at its own time, as if it were computed: the contact counts as struck, though it stays closed.  When nothing waits any
- * more, or the rest of the series is within the rounding of its time, the blows have been countless.
+ * more the blows have been countless; also where the rest of the series is within the rounding of its time, unless so many of them
+ * will do.
  *
- * What the closing blow changed, D in velocities and P in impulse, is what blow k of those that are left would change to come to
- * rest, times r^k: it comes with -r^k D and leaves with r^(k+1) D, by an impulse r^k (1 + r) P.  That much is left out of what is
- * asked there, and is added to its error. */
+ * The closing blow changed velocities by D, and P was its impulse.  It would have left with e D, e the restitution: by that much more
+ * than it did.  Those that are left come with what the last one left with, and leave with r times that, which are parts of D; the
+ * sum of both is the impulse, as a part of P.  So much is left out of what is asked at such a blow, and is added to its error. */
 #include "events/blows_left.h"
 
 #include <math.h>
@@ -30,14 +31,18 @@ typedef struct pm_left {
     int held;          /* at this instant, and the time of its end is not known yet */
     double next;       /* s; INFINITY: nothing waits */
     double ratio;      /* r */
-    double share;      /* r^k of the blow at `struck` */
-    double struck;     /* s, the last of them */
+    int together;      /* blows within the rounding of the end */
+    int last;          /* no other comes before the end of the series */
+    double struck;     /* s, when it was struck last since it was held */
+    double comes, leaves; /* parts of D with which it came then, and left, though it stayed closed */
     double impulse[2]; /* P along the normal and across, N s */
 } pm_left;
 
 struct pm_blows_left {
     pm_left *of;    /* [ncontact] */
-    double *change; /* [nq] D of the contact that was closed last */
+    /* of the contact that was closed last */
+    double *change; /* [nq] D */
+    double *joint;  /* [njoint_constraint] impulses of joints, N s */
 };
 
 int pm_blows_left_create(pm_workspace *w)
@@ -47,35 +52,43 @@ int pm_blows_left_create(pm_workspace *w)
     const pm_array array[] = {
         PM_ARRAY(x->of, w->model->rows[PM_TABLE_CONTACT]),
         PM_ARRAY(x->change, w->model->nq),
+        PM_ARRAY(x->joint, w->model->njoint_constraint),
     };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
-static void forget(pm_left *x) { *x = (pm_left){.next = INFINITY, .struck = NAN}; }
-
 void pm_blows_left_forget(const pm_workspace *w)
 {
-    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) forget(w->event->left->of + i);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
+        w->event->left->of[i] = (pm_left){.next = INFINITY, .struck = NAN};
 }
 
 /* ---- who waits ---- */
-/* The n-th of something is an event of its own, which somebody has named; what is told by counts is not known before it is so. */
-static int is_awaited(const pm_model *m, const pm_firing *firing, int event)
+typedef int pm_awaits(const pm_model *model, const pm_firing *firing, int event);
+
+/* So many of the event will do; the n-th of something is an event of its own, which somebody has named. */
+static int is_counted_to(const pm_model *m, const pm_firing *firing, int event)
 {
     const int nth = PM_EVENT_ROW(m, event)[PM_EVENT_NTH];
     if (firing->count[event] < 0 || firing->count[event] >= PM_COUNTLESS) return 0;
-    if (nth > 0) return firing->seen[event] < nth;
-    return m->programs.wait_for_counts || m->programs.watch_counts ||
+    return nth > 0 ? firing->seen[event] < nth : pm_ask_awaits_nth(m, firing, event, INT64_MAX);
+}
+
+/* Or all that can be told; what waits for a condition on counts does not say for how many. */
+static int is_awaited(const pm_model *m, const pm_firing *firing, int event)
+{
+    if (firing->count[event] < 0 || firing->count[event] >= PM_COUNTLESS) return 0;
+    return is_counted_to(m, firing, event) || m->programs.wait_for_counts || m->programs.watch_counts ||
            pm_ask_awaits(m, firing, event, INT64_MAX);
 }
 
-static int contact_is_awaited(const pm_workspace *w, int contact)
+static int contact_awaits(const pm_workspace *w, int contact, pm_awaits *awaits)
 {
     const pm_model *m = w->model;
     for (int i = 0; i < m->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(m, i);
         if (e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == contact &&
-            is_awaited(m, &w->firing, e[PM_TRIGGER_EVENT]))
+            awaits(m, &w->firing, e[PM_TRIGGER_EVENT]))
             return 1;
     }
     return 0;
@@ -84,7 +97,7 @@ static int contact_is_awaited(const pm_workspace *w, int contact)
 /* ---- the series ---- */
 static void lose(pm_workspace *w, int contact)
 {
-    forget(w->event->left->of + contact);
+    w->event->left->of[contact].next = INFINITY;
     pm_trigger_lose_strikes(w, contact,
                             pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);
 }
@@ -94,13 +107,13 @@ void pm_blows_left_hold(pm_workspace *w, int contact, const double *before)
     struct pm_blows_left *left = w->event->left;
     pm_left *x = left->of + contact;
     const int waits = PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
-    if (!waits || !contact_is_awaited(w, contact)) {
+    if (!waits || !contact_awaits(w, contact, is_awaited)) {
         lose(w, contact);
         return;
     }
-    forget(x);
-    x->held = 1;
+    *x = (pm_left){.held = 1, .next = INFINITY, .struck = w->state.t};
     memcpy(x->impulse, w->impulses.slot + 2 * w->model->contact_slot[contact], sizeof x->impulse);
+    memcpy(left->joint, w->impulses.joint, (size_t)w->model->njoint_constraint * sizeof *left->joint);
     for (int i = 0; i < w->model->nq; i++) left->change[i] = w->state.v[i] - before[i];
 }
 
@@ -115,11 +128,12 @@ static double ratio_of(const pm_workspace *w, int contact)
 
 static double over(const pm_workspace *w, int contact) { return w->event->series[contact].over; }
 
-/* The blow after one at t, if that is not within the rounding of the end. */
-static double after(const pm_workspace *w, int contact, double ratio, double t)
+/* The blow after one at t.  Within the rounding of the end they are at one time: as many as are counted to; INFINITY: none are. */
+static double after(const pm_workspace *w, int contact, pm_left *x, double t)
 {
     const double left = over(w, contact) - t;
-    return left > PM_TIME_TOGETHER * fabs(t) ? t + left * (1 - ratio) : INFINITY;
+    if (left > PM_TIME_TOGETHER * fabs(t)) return t + left * (1 - x->ratio);
+    return contact_awaits(w, contact, is_counted_to) && x->together++ < PM_BLOWS_LEFT_TOGETHER ? t : INFINITY;
 }
 
 void pm_blows_left_begin(pm_workspace *w)
@@ -128,11 +142,11 @@ void pm_blows_left_begin(pm_workspace *w)
         pm_left *x = w->event->left->of + i;
         if (!x->held) continue;
         x->held = 0;
-        x->share = 1;
         x->ratio = ratio_of(w, i);
-        const int known = isfinite(over(w, i)) && !pm_bounce_series_is_of_several(w, i) &&
-                          x->ratio > 0 && x->ratio < 1;
-        x->next = known ? after(w, i, x->ratio, w->state.t) : INFINITY;
+        x->leaves = pm_contact_restitution(&w->frame, i);
+        const int known = isfinite(over(w, i)) && !pm_bounce_series_is_of_several(w, i) && x->ratio > 0 &&
+                          x->ratio < 1;
+        x->next = known ? after(w, i, x, w->state.t) : INFINITY;
         if (!isfinite(x->next)) lose(w, i);
     }
 }
@@ -151,15 +165,27 @@ static int goes_on(const pm_workspace *w, int contact)
            w->state.slot[w->model->contact_slot[contact]].mode != PM_OPEN;
 }
 
+/* Of this instant's blow, as a part of P. */
+static double impulse_of(const pm_left *x) { return x->comes > 0 ? x->comes + x->leaves : 1; }
+
+static void put_impulses(pm_workspace *w, int contact, double part)
+{
+    const struct pm_blows_left *left = w->event->left;
+    double *slot = w->impulses.slot + 2 * w->model->contact_slot[contact];
+    for (int k = 0; k < 2; k++) slot[k] = part * left->of[contact].impulse[k];
+    for (int i = 0; i < w->model->njoint_constraint; i++) w->impulses.joint[i] = part * left->joint[i];
+}
+
 static void strike(pm_workspace *w, int contact, pm_left *x)
 {
     pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, contact);
-    x->share *= x->ratio;
+    x->comes = x->leaves;
+    x->leaves *= x->ratio;
+    put_impulses(w, contact, impulse_of(x));
     x->struck = w->firing.jumped = w->state.t;
-    x->next = after(w, contact, x->ratio, x->next);
-    if (isfinite(x->next)) return;
-    x->next = over(w, contact);
-    x->ratio = 0;
+    x->next = after(w, contact, x, x->next);
+    x->last = !isfinite(x->next);
+    if (x->last) x->next = over(w, contact);
 }
 
 int pm_blows_left_strike(pm_workspace *w)
@@ -169,7 +195,7 @@ int pm_blows_left_strike(pm_workspace *w)
         pm_left *x = w->event->left->of + i;
         if (x->next > w->state.t) continue;
         any = 1;
-        if (x->ratio > 0 && goes_on(w, i) && contact_is_awaited(w, i)) {
+        if (!x->last && goes_on(w, i) && contact_awaits(w, i, is_awaited)) {
             strike(w, i, x);
             continue;
         }
@@ -189,29 +215,22 @@ static double value_with(pm_workspace *w, int program, double factor)
     return value;
 }
 
-static void put_impulse(const pm_workspace *w, int contact, const double impulse[2], double factor)
+/* At the closing blow it leaves with more than was computed; a later one is not computed at all. */
+static double error_of(pm_workspace *w, int contact, const pm_left *x, int program, int before)
 {
-    double *slot = w->impulses.slot + 2 * w->model->contact_slot[contact];
-    for (int k = 0; k < 2; k++) slot[k] = factor * impulse[k];
-}
-
-static double error_of(pm_workspace *w, int contact, const pm_left *x, int program)
-{
-    const double kept[2] = {w->impulses.slot[2 * w->model->contact_slot[contact]],
-                            w->impulses.slot[2 * w->model->contact_slot[contact] + 1]};
     const double value = pm_program_run(w, program);
-    put_impulse(w, contact, x->impulse, x->share * (1 + x->ratio));
-    const double comes = value_with(w, program, -x->share), leaves = value_with(w, program, x->share * x->ratio);
-    put_impulse(w, contact, kept, 1);
-    return fmax(fabs(comes - value), fabs(leaves - value));
+    if (!before) put_impulses(w, contact, x->comes > 0 ? 0 : 1 + x->leaves);
+    const double there = value_with(w, program, before ? -x->comes : x->leaves);
+    put_impulses(w, contact, impulse_of(x));
+    return fabs(there - value);
 }
 
-double pm_blows_left_error(pm_workspace *w, int program)
+double pm_blows_left_error(pm_workspace *w, int program, int before)
 {
     double sum = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT] && w->evidence.active; i++) {
         const pm_left *x = w->event->left->of + i;
-        if (x->struck == w->state.t) sum += error_of(w, i, x, program);
+        if (x->struck == w->state.t) sum += error_of(w, i, x, program, before);
     }
-    return isfinite(sum) ? sum : 0;
+    return isfinite(sum) ? PM_BLOWS_LEFT_SURE * sum : 0;
 }

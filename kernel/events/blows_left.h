@@ -16,7 +16,8 @@ void pm_blows_left_begin(pm_workspace *w);
 double pm_blows_left_next(const pm_workspace *w);
 /* 1 if some are due by now: their contacts are marked as struck, or are counted no more. */
 int pm_blows_left_strike(pm_workspace *w);
-/* By how much a program at the frame may be off because velocities and impulses of such a blow of this instant are left out. */
-double pm_blows_left_error(pm_workspace *w, int program);
+/* By how much a program at the frame, just before the blow or after it, is off because velocities and impulses of such a blow of this
+ * instant are left out. */
+double pm_blows_left_error(pm_workspace *w, int program, int before);
 
 #endif
