@@ -28,18 +28,18 @@
 #include "state/workspace.h"
 
 typedef struct pm_left {
-    int held;          /* at this instant, and the time of its end is not known yet */
-    double next;       /* s; INFINITY: nothing waits */
-    double ratio;      /* r */
-    int together;      /* blows within the rounding of the end */
-    int last;          /* no other comes before the end of the series */
-    double struck;     /* s, when it was struck last since it was held */
+    int held;             /* at this instant, and the time of its end is not known yet */
+    double next;          /* s; INFINITY: nothing waits */
+    double ratio;         /* r */
+    int together;         /* blows within the rounding of the end */
+    int last;             /* no other comes before the end of the series */
+    double struck;        /* s, when it was struck last since it was held */
     double comes, leaves; /* parts of D with which it came then, and left, though it stayed closed */
-    double impulse[2]; /* P along the normal and across, N s */
+    double impulse[2];    /* P along the normal and across, N s */
 } pm_left;
 
 struct pm_blows_left {
-    pm_left *of;    /* [ncontact] */
+    pm_left *of; /* [ncontact] */
     /* of the contact that was closed last */
     double *change; /* [nq] D */
     double *joint;  /* [njoint_constraint] impulses of joints, N s */
@@ -144,8 +144,8 @@ void pm_blows_left_begin(pm_workspace *w)
         x->held = 0;
         x->ratio = ratio_of(w, i);
         x->leaves = pm_contact_restitution(&w->frame, i);
-        const int known = isfinite(over(w, i)) && !pm_bounce_series_is_of_several(w, i) && x->ratio > 0 &&
-                          x->ratio < 1;
+        const int known =
+            isfinite(over(w, i)) && !pm_bounce_series_is_of_several(w, i) && x->ratio > 0 && x->ratio < 1;
         x->next = known ? after(w, i, x, w->state.t) : INFINITY;
         if (!isfinite(x->next)) lose(w, i);
     }
@@ -161,8 +161,7 @@ double pm_blows_left_next(const pm_workspace *w)
 /* It still stands closed, and has not been struck otherwise since. */
 static int goes_on(const pm_workspace *w, int contact)
 {
-    return isfinite(over(w, contact)) &&
-           w->state.slot[w->model->contact_slot[contact]].mode != PM_OPEN;
+    return isfinite(over(w, contact)) && w->state.slot[w->model->contact_slot[contact]].mode != PM_OPEN;
 }
 
 /* Of this instant's blow, as a part of P. */

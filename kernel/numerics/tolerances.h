@@ -284,7 +284,7 @@
 #define PM_SERIES_NEARLY 0.5 /* likewise where several are struck in turn until they touch; larger: ends are guessed, smaller: they come early */
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
-#define PM_BLOWS_LEFT_TOGETHER 1000 /* blows of a series within the rounding of its end that are counted one by one; more: slower */
+#define PM_BLOWS_LEFT_TOGETHER 100 /* blows of a series within the rounding of its end that are counted one by one; more: slower */
 #define PM_BLOWS_LEFT_SURE 1.5 /* times what is left out at a blow that is not computed: ratios are known to some percent; larger: errors are estimated too large */
 #define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */
 

@@ -84,8 +84,8 @@ static void each_of_them(const fall *x, int route)
     ball(s, x, route);
     const int blow = scene_on(s, PM_TRIGGER_STRIKE, 0);
     scene_until_time(s, time_of(x, 1) * (1 + x->restitution) / (1 - x->restitution) + 0.1);
-    const int count = scene_ask_count(s, blow),
-              each = scene_ask(s, PM_ASK_EACH, scene_read(s, scene_time(s)), blow, 1, 0, PM_NONE, PM_NONE, MOST);
+    const int count = scene_ask_count(s, blow), each = scene_ask(s, PM_ASK_EACH, scene_read(s, scene_time(s)),
+                                                                 blow, 1, 0, PM_NONE, PM_NONE, MOST);
     EQUAL(scene_run(s, NULL), PM_OK);
     CHECK(isinf(s->out[count]));
     for (int k = 1; k <= MOST; k++) {
