@@ -18,7 +18,7 @@
 
 #include "elements/contact.h"
 #include "elements/trigger.h"
-#include "events/ask.h"
+#include "events/awaited.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "expression/program.h"
@@ -71,7 +71,7 @@ static int is_counted_to(const pm_model *m, const pm_firing *firing, int event)
 {
     const int nth = PM_EVENT_ROW(m, event)[PM_EVENT_NTH];
     if (firing->count[event] < 0 || firing->count[event] >= PM_COUNTLESS) return 0;
-    return nth > 0 ? firing->seen[event] < nth : pm_ask_awaits_nth(m, firing, event, INT64_MAX);
+    return nth > 0 ? firing->seen[event] < nth : pm_awaited_nth(m, firing, event, INT64_MAX);
 }
 
 /* Or all that can be told; what waits for a condition on counts does not say for how many. */
@@ -79,7 +79,7 @@ static int is_awaited(const pm_model *m, const pm_firing *firing, int event)
 {
     if (firing->count[event] < 0 || firing->count[event] >= PM_COUNTLESS) return 0;
     return is_counted_to(m, firing, event) || m->programs.wait_for_counts || m->programs.watch_counts ||
-           pm_ask_awaits(m, firing, event, INT64_MAX);
+           pm_awaited(m, firing, event, INT64_MAX);
 }
 
 static int contact_awaits(const pm_workspace *w, int contact, pm_awaits *awaits)

@@ -20,7 +20,6 @@
 #include "equations/saddle.h"
 #include "equations/shared_loads.h"
 #include "equations/shared_reading.h"
-#include "events/blows_left.h"
 #include "events/bounce_series.h"
 #include "events/track.h"
 #include "events/watched_samples.h"
@@ -78,8 +77,7 @@ int pm_event_create(pm_workspace *w)
         if (x[PM_TRIGGER_KIND] <= PM_TRIGGER_EVERY)
             pm_watched_samples_add(w, x[PM_TRIGGER_PROGRAM], PM_SAMPLE_TRIGGERS);
     }
-    const int status = pm_blows_left_create(w);
-    return status ? status : pm_bounce_series_create(w);
+    return pm_bounce_series_create(w);
 }
 
 /* ---- the functions of a phase ---- */

@@ -4,6 +4,12 @@ from tests.faults.fault import Fault
 
 FAULTS = [
     Fault(
+        "jump: its blows can be counted",
+        "events/blows_left.c",
+        "pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);",
+        "0);",
+    ),
+    Fault(
         "blows left: nothing ever waits for one",
         "events/blows_left.c",
         "if (!waits || !contact_awaits(w, contact, is_awaited)) {",
