@@ -13,7 +13,7 @@ FAULTS = [
         "blows left: nothing ever waits for one",
         "events/blows_left.c",
         "if (!waits || !contact_awaits(w, contact, is_awaited)) {",
-        "if (1) {",
+        "if (!waits || contact >= 0) {",
     ),
     Fault(
         "blows left: their flights are alike",
