@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "equations/shared_reading.h"
+#include "events/blows_left.h"
 #include "events/derived.h"
 #include "events/event.h"
 #include "events/integral.h"
@@ -115,6 +116,7 @@ void pm_ask_answer(pm_workspace *w, int ask, int column, int program, double val
     const pm_route_ops *route = w->phase.route;
     answer(w, ask, column, unique(w, ask, program, value));
     const int out = PM_ASK_ROW(w->model, ask)[PM_ASK_OUT] + column;
+    pm_evidence_more(&w->evidence, out, pm_blows_left_error(w, program, 0));
     if (!route->error_of) return;
     if (!pm_derived_is(w->model, program))
         route->error_of(w, ask, out, program, value);
@@ -225,9 +227,10 @@ void pm_ask_look_before(pm_workspace *w)
 static void answer_fired(pm_workspace *w, int ask, int column, double value)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
-    if (e[PM_ASK_BEFORE])
+    if (e[PM_ASK_BEFORE]) {
         answer(w, ask, column, value);
-    else
+        pm_evidence_more(&w->evidence, e[PM_ASK_OUT] + column, pm_blows_left_error(w, e[PM_ASK_PROGRAM], 1));
+    } else
         pm_ask_answer(w, ask, column, e[PM_ASK_PROGRAM], value);
 }
 
@@ -241,24 +244,6 @@ void pm_ask_fired(pm_workspace *w, int event)
         if (e[PM_ASK_KIND] == PM_ASK_EVENT && nth == e[PM_ASK_NTH]) answer_fired(w, i, 0, value);
         if (e[PM_ASK_KIND] == PM_ASK_EACH && nth <= e[PM_ASK_COUNT]) answer_fired(w, i, (int)nth - 1, value);
     }
-}
-
-int pm_ask_awaits(const pm_model *m, const pm_firing *firing, int event, int64_t more)
-{
-    const int64_t count = firing->count[event];
-    for (int i = 0; i < m->nask; i++) {
-        const int32_t *e = PM_ASK_ROW(m, i);
-        if (e[PM_ASK_EVENT_INDEX] != event) continue;
-        if (e[PM_ASK_KIND] == PM_ASK_EVENT && e[PM_ASK_NTH] > count && e[PM_ASK_NTH] - count <= more)
-            return 1;
-        if (e[PM_ASK_KIND] == PM_ASK_EACH && e[PM_ASK_COUNT] > count) return 1;
-    }
-    for (int i = 0; i < m->rows[PM_TABLE_UNTIL]; i++) {
-        const int32_t *e = PM_UNTIL_ROW(m, i);
-        if (e[PM_UNTIL_EVENT] == event && e[PM_UNTIL_NTH] > count && e[PM_UNTIL_NTH] - count <= more)
-            return 1;
-    }
-    return 0;
 }
 
 void pm_ask_fails(pm_workspace *w, int event)

@@ -83,8 +83,6 @@ void pm_ask_look_before(pm_workspace *w);
 void pm_ask_fired(pm_workspace *w, int event);
 /* An event is due, and what it brings fails: answers what is asked before it. */
 void pm_ask_fails(pm_workspace *w, int event);
-/* 1 if one of the next `more` firings of the event is asked for, or may end the run. */
-int pm_ask_awaits(const pm_model *model, const pm_firing *firing, int event, int64_t more);
 /* Answers what is asked at the end, marks what was not reached. */
 void pm_ask_end(pm_workspace *w);
 /* What is answered so far is sound. */

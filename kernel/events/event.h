@@ -114,10 +114,11 @@ typedef struct pm_event_set {
     int *root;                   /* [most functions] roots that the route itself found, or 0 */
     int at_root;                 /* the step ends at one of these */
     int at_due;                  /* it ends when a trigger on time is due */
-    double *due;              /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
-    unsigned char *spent;     /* [ncontact] left its zero by less than rounding: the bounce is over */
-    unsigned char *vain;      /* [ncontact] at how many instants at once it closed and was left open */
-    pm_bounce_series *series; /* [ncontact] */
+    double *due;                /* [ntrigger] time at which a trigger on time alone fires next, or INFINITY */
+    unsigned char *spent;       /* [ncontact] left its zero by less than rounding: the bounce is over */
+    unsigned char *vain;        /* [ncontact] at how many instants at once it closed and was left open */
+    pm_bounce_series *series;   /* [ncontact] */
+    struct pm_blows_left *left; /* of them, though they are no longer followed (events/blows_left.h) */
     int *body; /* [ncontact][PM_REFERENCES + 1] whom a contact touches but the ground; PM_NONE ends them */
     int *beside_struck;       /* [ncontact] those that share a body with one that is struck */
     int *ordered;             /* [ncontact] of each of these, its blows that are in their order already */

@@ -121,17 +121,31 @@ static int polish(pm_workspace *w, int i, const pm_span *x, double slope, double
 }
 
 /* ---- what it is there ---- */
+static double rate_beside(pm_workspace *w, pm_event_function *f, double x, double step)
+{
+    const double begin = w->step.begin, end = w->step.end;
+    return pm_bracket_slope(pm_event_samples_along, w, f, begin, end, x, step * (end - begin));
+}
+
+/* What is watched of a gap, or of the room on an edge, falls at once by more than touching where a mark comes over an edge that it
+ * was below, from beyond an end: differences grow there as their step shrinks. */
+static int jumps(pm_workspace *w, pm_event_function *f, double x, double rate)
+{
+    const double closer = PM_EVENT_RATE_STEP / PM_EVENT_RATE_CLOSER, h = w->step.end - w->step.begin;
+    if (f->kind != FUNCTION_GAP && f->kind != FUNCTION_END) return 0;
+    if (!(2 * PM_EVENT_RATE_STEP * h * fabs(rate) > pm_contact_length(&w->frame))) return 0;
+    return fabs(rate_beside(w, f, x, closer)) > PM_EVENT_RATE_JUMPS * PM_EVENT_RATE_CLOSER * fabs(rate);
+}
+
 /* How fast the function goes through its zero: a decision, for it might not have reached it.  slope: of the polynomial
  * there, if its samples resolve it. */
 static void take_rate(pm_workspace *w, int function, double x, double slope)
 {
     if (!w->evidence.active || (!w->step.shown && isnan(slope))) return; /* a jump has no rate */
     pm_event_function *f = &w->event->function[function];
-    const double begin = w->step.begin, end = w->step.end;
-    const double rate = isnan(slope) ? pm_bracket_slope(pm_event_samples_along, w, f, begin, end, x,
-                                                        PM_EVENT_RATE_STEP * (end - begin))
-                                     : slope;
+    const double rate = isnan(slope) ? rate_beside(w, f, x, PM_EVENT_RATE_STEP) : slope;
     if (f->kind == FUNCTION_GAP && pm_last_bounce_is_near(w, f->index, rate)) return;
+    if (isnan(slope) && jumps(w, f, x, rate)) return;
     pm_event_evidence_rate(w, function, rate);
 }
 

@@ -6,6 +6,7 @@
 #include "elements/trigger.h"
 #include "equations/active_set.h"
 #include "equations/shared_reading.h"
+#include "events/blows_left.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/last_bounce.h"
@@ -160,8 +161,7 @@ void pm_impact_end_modes(pm_workspace *w, pm_blow *b)
         if (!closed_here && (b->share[i] != PM_OUT || w->state.slot[i].mode != b->resting[i]))
             pm_active_set_anchor(&w->frame, &w->state, i);
         if (b->held[i] || (b->share[i] == PM_STRUCK && pm_contact_restitution(&w->frame, contact) > 0)) {
-            pm_trigger_lose_strikes(w, contact,
-                                    pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);
+            pm_blows_left_hold(w, contact, b->before);
             pm_evidence_part(&w->evidence, contact);
             pm_evidence_cut(&w->evidence);
             pm_bounce_series_hold(w, contact);

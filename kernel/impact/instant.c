@@ -8,6 +8,7 @@
 #include "elements/trigger.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
+#include "events/blows_left.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
@@ -101,6 +102,7 @@ static int settle(pm_workspace *w, int begins)
     const int status = strike(w, &jumped);
     if (status) return status;
     if (jumped) pm_bounce_series_cut(w);
+    if (jumped) pm_blows_left_begin(w);
     pm_contact_modes_mark(w);
     if (begins && !jumped) pm_trigger_look_before(w);
     pm_trigger_look_after(w);

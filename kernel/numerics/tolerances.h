@@ -223,6 +223,8 @@
 #define PM_LEAVING_JUMP 1e-2 /* of half the window about a switch: so close to a jump nothing has left it; larger: what comes back at once is missed, smaller: its scatter counts as more jumps */
 #define PM_EVENT_ON_ZERO 1e-12 /* of a trigger's natural size: zero as a phase in time begins; larger: what begins close to zero is missed */
 #define PM_EVENT_RATE_STEP 1e-4 /* of the step: differences that make the rate at a zero; larger: less exact, smaller: rounding */
+#define PM_EVENT_RATE_CLOSER 8.0 /* times so short a difference tells a jump, which has no rate; larger: roundings look like jumps, smaller: steep zeros do */
+#define PM_EVENT_RATE_JUMPS 0.7 /* of these times its rate grows by there: at a jump by all of them, at a zero by none, at a root by their root; larger: jumps near others are taken for rates */
 #define PM_PLACE_ROUNDING 1e-15 /* of the step: rounding of a place; larger: zeros are polished less */
 #define PM_PLACE_RESOLVED 1e-14 /* of the step: a zero is known so well by the samples that no look shows more; larger: zeros less exact */
 #define PM_PLACE_SHARP 1e-9 /* of the step: a zero is known so well in spite of the rounding of samples, else it is looked for; larger: zeros beside others are met twice, less: more looks */
@@ -282,6 +284,8 @@
 #define PM_SERIES_NEARLY 0.5 /* likewise where several are struck in turn until they touch; larger: ends are guessed, smaller: they come early */
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
+#define PM_BLOWS_LEFT_TOGETHER 100 /* blows of a series within the rounding of its end that are counted one by one; more: slower */
+#define PM_BLOWS_LEFT_SURE 1.5 /* times what is left out at a blow that is not computed: ratios are known to some percent; larger: errors are estimated too large */
 #define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */
 
 /* ---- routes ---- */

@@ -127,6 +127,7 @@
 #define PM_IDA_LEAST_STEP 8e-16 /* of the time: a shorter step changes nothing; more: a run gives up earlier */
 #define PM_IDA_NEAR_SINGULAR 0.1 /* independent part of a constraint: Newton may fail below; more: left to rk for longer */
 #define PM_IDA_LOST 0.2 /* the same where a step of a long chain failed: up to where the plan comes back (PM_PLAN_PASSED) */
+#define PM_IDA_SHORT_ROOM 1e-11 /* of the time: IDA would begin with a thousandth of it, which is no step; more: short phases less exact */
 #define PM_IDA_LEAST_ROOM 4e-15 /* of the time: IDA finds begin and end too close below; more: stops farther off */
 #define PM_IDA_SLIGHT 1e-6 /* of size and speed: the last matrix corrects this much; more: slower than a new projection */
 #define PM_IDA_CORRECTED 4e-15 /* of size and speed: nothing is left to correct; more: constraints drift */

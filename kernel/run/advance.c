@@ -12,6 +12,7 @@
 #include "equations/ledger.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
+#include "events/blows_left.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
@@ -63,7 +64,7 @@ static void mark_hits(pm_firing *firing, const pm_event_set *e)
 
 static double next_due(const pm_workspace *w)
 {
-    double next = pm_bounce_series_next(w);
+    double next = pm_min(pm_blows_left_next(w), pm_bounce_series_next(w));
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) next = pm_min(w->event->due[i], next);
     return next;
 }
@@ -71,7 +72,7 @@ static double next_due(const pm_workspace *w)
 /* The step has ended when triggers on time are due. */
 static int mark_due(pm_workspace *w)
 {
-    int any = pm_bounce_series_end(w);
+    int any = pm_blows_left_strike(w) | pm_bounce_series_end(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         if (w->event->due[i] > w->state.t) continue;
         w->firing.fired[i] = 1;

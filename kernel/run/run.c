@@ -16,6 +16,7 @@
 #include "equations/saddle.h"
 #include "equations/solve_cache.h"
 #include "events/ask.h"
+#include "events/blows_left.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/history.h"
@@ -59,6 +60,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     forget_segments(w);
     w->event->nfunction = 0;
     pm_bounce_series_begin(w);
+    pm_blows_left_forget(w);
     w->step.reverses = 0;
     pm_joint_friction_release(w);
     pm_evidence_begin(w->model, &w->evidence);

@@ -10,6 +10,42 @@ FAULTS = [
         "",
     ),
     Fault(
+        "jump: its blows can be counted",
+        "events/blows_left.c",
+        "pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);",
+        "0);",
+    ),
+    Fault(
+        "blows left: nothing ever waits for one",
+        "events/blows_left.c",
+        "if (!waits || !contact_awaits(w, contact, is_awaited)) {",
+        "if (!waits || contact >= 0) {",
+    ),
+    Fault(
+        "blows left: their flights are alike",
+        "events/blows_left.c",
+        "return t + left * (1 - x->ratio);",
+        "return t + left * 0.1;",
+    ),
+    Fault(
+        "blows left: what they leave out is no error",
+        "events/blows_left.c",
+        "isfinite(sum) ? PM_BLOWS_LEFT_SURE * sum : 0;",
+        "0;",
+    ),
+    Fault(
+        "blows left: within rounding none is counted",
+        "events/blows_left.c",
+        "x->together++ < PM_BLOWS_LEFT_TOGETHER",
+        "0",
+    ),
+    Fault(
+        "blows left: the n-th of them is no event of its own",
+        "events/blows_left.c",
+        "return nth > 0 ? firing->seen[event] < nth :",
+        "return nth > 0 ? 0 :",
+    ),
+    Fault(
         "gap: what parts from deeper than touching allows is not met again",
         "events/event.c",
         "value >= -PM_EDGE_SUNK * pm_contact_length(&w->frame)",

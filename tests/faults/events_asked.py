@@ -359,8 +359,8 @@ FAULTS = [
     ),
     Fault(
         "zeno: strikes that are asked for",
-        "events/ask.c",
-        "e[PM_ASK_COUNT] > count) return 1",
-        "0) return 1",
+        "events/awaited.c",
+        "e[PM_ASK_COUNT] > firing->count[event])",
+        "0)",
     ),
 ]

@@ -34,6 +34,12 @@ FAULTS = [
         "return 0 && s *",
     ),
     Fault(
+        "margin: a gap that jumps has a rate there",
+        "events/event_locate.c",
+        "if (isnan(slope) && jumps(w, f, x, rate)) return;",
+        "",
+    ),
+    Fault(
         "gap: the bottom of what grazes is told by a polynomial",
         "events/event_bracket.c",
         "return f->kind == FUNCTION_GAP && !pm_event_samples_resolve(",

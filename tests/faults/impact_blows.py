@@ -109,12 +109,6 @@ FAULTS = [
         "w->state.slot[i].mode = PM_OPEN",
     ),
     Fault(
-        "jump: its blows can be counted",
-        "impact/impact_end.c",
-        "pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);",
-        "0);",
-    ),
-    Fault(
         "impact: what sticks after a blow slides by rounding",
         "impact/impact_trial.c",
         "end.slip == 0};",

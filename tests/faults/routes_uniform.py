@@ -181,8 +181,8 @@ FAULTS = [
     Fault(
         "turns: strikes that are asked for",
         "routes/uniform/turns.c",
-        "if (nth == 0 && pm_ask_awaits(",
-        "if (nth < 0 && pm_ask_awaits(",
+        "if (nth == 0 && pm_awaited(",
+        "if (nth < 0 && pm_awaited(",
     ),
     Fault("turns: another contact", "routes/uniform/turns.c", "if (!(c.g > both)) return 0", "(void)both"),
     Fault(

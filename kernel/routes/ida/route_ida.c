@@ -296,6 +296,8 @@ static int one_step(pm_workspace *w, double t_limit)
     const double room = t_limit - w->state.t;
     if (!(room > PM_IDA_LEAST_ROOM * fabs(t_limit)))
         return too_small(&w->result, room, PM_IDA_LEAST_ROOM * fabs(t_limit));
+    if (room < PM_IDA_SHORT_ROOM * fabs(t_limit))
+        IDASetInitStep(w->ida->memory, room); /* all of it at once */
     int status = solve(w, t_limit, &end);
     if (status) return status;
     if (w->ask->nobserver > 0) w->step.nodes = &pm_chebyshev_nodes_equal;

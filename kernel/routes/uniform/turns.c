@@ -16,6 +16,7 @@
 #include "equations/ledger.h"
 #include "equations/projection.h"
 #include "events/ask.h"
+#include "events/awaited.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
@@ -212,7 +213,7 @@ static int is_awaited(const pm_workspace *w, const pm_wedge *x, int64_t pairs)
         const int nth = PM_EVENT_ROW(w->model, event)[PM_EVENT_NTH];
         if (more == 0) continue;
         if (nth > w->firing.seen[event] && nth - w->firing.seen[event] <= more) return 1;
-        if (nth == 0 && pm_ask_awaits(w->model, &w->firing, event, more)) return 1;
+        if (nth == 0 && pm_awaited(w->model, &w->firing, event, more)) return 1;
     }
     return 0;
 }

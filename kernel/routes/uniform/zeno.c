@@ -29,6 +29,7 @@
 #include "equations/projection.h"
 #include "equations/saddle.h"
 #include "events/ask.h"
+#include "events/awaited.h"
 #include "events/event.h"
 #include "events/integral.h"
 #include "expression/program.h"
@@ -176,7 +177,7 @@ static int triggers_are_clear(pm_workspace *w, const pm_rest *r)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
-        const int awaited = pm_ask_awaits(w->model, &w->firing, e[PM_TRIGGER_EVENT], INT64_MAX);
+        const int awaited = pm_awaited(w->model, &w->firing, e[PM_TRIGGER_EVENT], INT64_MAX);
         pm_outlook x;
         if (awaited && e[PM_TRIGGER_KIND] == PM_TRIGGER_STRIKE && e[PM_TRIGGER_A] == r->contact) return 0;
         if (may_fire(w, r, i, &x) && (awaited || !fires_alike(w, r, i, &x))) return 0;
