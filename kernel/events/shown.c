@@ -78,11 +78,18 @@ static int sampled_bends(const pm_shown *x, double from, double to, pm_interval 
     return are_dense(sample, h / (PM_SHOWN_SAMPLES - 1), nothing);
 }
 
+/* Where bounds by intervals tell too little. */
+static pm_interval sharp_bends(const pm_shown *x, double from, double to)
+{
+    return pm_enclosure_bends_along(x->w->model, x->program, x->w->numbers.folded, x->along, from, to);
+}
+
 /* Whether the program stays within its bends over a part of the stretch. */
 static int stays(const pm_shown *x, pm_interval bends, double from, double to, int *budget)
 {
     const double middle = 0.5 * (from + to);
     if (pm_interval_inside(x->enclose(x, from, to).jet.bend, bends)) return 1;
+    if (x->along && pm_interval_inside(sharp_bends(x, from, to), bends)) return 1;
     if (--*budget < 0 || !pm_interval_inside(x->enclose(x, middle, middle).jet.bend, bends)) return 0;
     return stays(x, bends, from, middle, budget) && stays(x, bends, middle, to, budget);
 }
