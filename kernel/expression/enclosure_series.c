@@ -8,8 +8,6 @@
 #include "expression/program_fold.h"
 #include "numerics/ball_series.h"
 
-static pm_ball_series unknown(void) { return (pm_ball_series){{{0, INFINITY}}}; }
-
 /* Whether x is above zero, or below; 0: either. */
 static int side_of(const pm_ball_series *x)
 {
@@ -37,8 +35,8 @@ static pm_ball_series unary(int op, const pm_ball_series *a)
     case PM_OP_SQRT: return pm_ball_series_sqrt(a);
     case PM_OP_EXP: return pm_ball_series_exp(a);
     case PM_OP_LOG: return pm_ball_series_log(a);
-    case PM_OP_ABS: return side_of(a) > 0 ? *a : side_of(a) < 0 ? negative(a) : unknown();
-    default: return unknown(); /* not, floor: intervals tell as much */
+    case PM_OP_ABS: return side_of(a) > 0 ? *a : side_of(a) < 0 ? negative(a) : pm_ball_series_unknown();
+    default: return pm_ball_series_unknown(); /* not, floor: intervals tell as much */
     }
 }
 
@@ -47,7 +45,7 @@ static pm_ball_series either(const pm_ball_series *a, const pm_ball_series *b, i
 {
     const pm_ball_series apart = pm_ball_series_sum(a, b, -1);
     const int stands = side_of(&apart);
-    return stands == 0 ? unknown() : stands == side ? *a : *b;
+    return stands == 0 ? pm_ball_series_unknown() : stands == side ? *a : *b;
 }
 
 static pm_ball_series binary(int op, const pm_ball_series *a, const pm_ball_series *b)
@@ -62,14 +60,14 @@ static pm_ball_series binary(int op, const pm_ball_series *a, const pm_ball_seri
     case PM_OP_HYPOT: return pm_ball_series_hypot(a, b);
     case PM_OP_MIN: return either(a, b, -1);
     case PM_OP_MAX: return either(a, b, 1);
-    default: return unknown(); /* comparisons, logic */
+    default: return pm_ball_series_unknown(); /* comparisons, logic */
     }
 }
 
 static pm_ball_series choice(const pm_ball_series *a)
 {
     if (side_of(a) != 0) return a[1];
-    return a->c[0].at == 0 && a->c[0].by == 0 ? a[2] : unknown();
+    return a->c[0].at == 0 && a->c[0].by == 0 ? a[2] : pm_ball_series_unknown();
 }
 
 typedef struct pm_stretch {
@@ -82,14 +80,14 @@ typedef struct pm_stretch {
 static pm_ball_series leaf(const pm_program_step *s, const double *number, const pm_stretch *x)
 {
     const pm_measure_series *along = x->along;
-    if (s->kind == STEP_ANSWER) return unknown();
+    if (s->kind == STEP_ANSWER) return pm_ball_series_unknown();
     if (s->kind != STEP_MEASURE) return pm_ball_series_number(number[s->arg]);
     return pm_ball_series_of(along->series + along->place[s->arg], x->middle, x->half, x->wide);
 }
 
 static pm_ball_series operate(const pm_program_step *s, const pm_ball_series *a)
 {
-    if (s->kind == STEP_TABLE) return unknown();
+    if (s->kind == STEP_TABLE) return pm_ball_series_unknown();
     switch (pm_operations[s->op].takes) {
     case 1: return unary(s->op, a);
     case 2: return binary(s->op, a, a + 1);
@@ -102,7 +100,7 @@ static pm_ball_series over(const pm_model *m, int index, const double *number, c
     const pm_program_fold *f = m->programs.fold;
     pm_ball_series stack[PM_STACK + 1];
     int top = -1;
-    stack[0] = unknown();
+    stack[0] = pm_ball_series_unknown();
     for (int k = f->first[index]; k < f->first[index + 1]; k++) {
         const pm_program_step *s = &f->step[k];
         if (s->kind == STEP_NUMBER || s->kind == STEP_MEASURE || s->kind == STEP_ANSWER) {

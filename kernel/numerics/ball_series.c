@@ -34,6 +34,13 @@ static pm_ball inverse(pm_ball a)
 /* ---- series ---- */
 pm_ball_series pm_ball_series_number(double x) { return (pm_ball_series){{{x, 0}}}; }
 
+pm_ball_series pm_ball_series_unknown(void)
+{
+    pm_ball_series y;
+    for (int k = 0; k < TERMS; k++) y.c[k] = unknown;
+    return y;
+}
+
 static pm_ball_series number(pm_ball x) { return (pm_ball_series){{x}}; }
 
 static int is_steady(const pm_ball_series *a)
@@ -198,9 +205,8 @@ pm_ball_series pm_ball_series_hypot(const pm_ball_series *a, const pm_ball_serie
 pm_ball_series pm_ball_series_exp(const pm_ball_series *a)
 {
     const pm_interval x = pm_ball_interval(a->c[0]);
-    pm_ball_series y = number(x.hi <= PM_EXPONENT_MOST
-                                  ? ball_of(pm_interval_rising(exp, x, -INFINITY, INFINITY))
-                                  : unknown);
+    pm_ball_series y =
+        number(x.hi <= PM_EXPONENT_MOST ? ball_of(pm_interval_rising(exp, x, -INFINITY, INFINITY)) : unknown);
     for (int k = 1; k < TERMS; k++) y.c[k] = next(k, a, &y);
     return y;
 }
@@ -209,7 +215,8 @@ pm_ball_series pm_ball_series_log(const pm_ball_series *a)
 {
     const pm_interval x = pm_ball_interval(a->c[0]);
     const pm_ball_series one = pm_ball_series_number(1), slope = pm_ball_series_quotient(&one, a);
-    return integral(x.lo > 0 ? pm_interval_rising(log, x, 0, INFINITY) : PM_INTERVAL_ALL, a, &slope);
+    if (!(x.lo > 0)) return pm_ball_series_unknown();
+    return integral(pm_interval_rising(log, x, 0, INFINITY), a, &slope);
 }
 
 static void sine_and_cosine(const pm_ball_series *a, pm_ball_series *sine, pm_ball_series *minus_cosine)
@@ -282,13 +289,17 @@ pm_ball_series pm_ball_series_tanh(const pm_ball_series *a)
     return y;
 }
 
+/* It leaps from pi to -pi where y changes sign and x is not above zero. */
+static int may_leap(pm_interval y, pm_interval x) { return !(x.lo > 0) && !(y.lo > 0) && !(y.hi < 0); }
+
 /* The angle's rate is (x y' - y x') / (x^2 + y^2). */
 pm_ball_series pm_ball_series_atan2(const pm_ball_series *y, const pm_ball_series *x)
 {
+    const pm_interval up = pm_ball_interval(y->c[0]), along = pm_ball_interval(x->c[0]);
     const pm_ball_series square = sum_of_squares(x, y);
     const pm_ball over = inverse(square.c[0]);
-    pm_ball_series angle =
-        number(ball_of(pm_interval_angle(pm_ball_interval(y->c[0]), pm_ball_interval(x->c[0]))));
+    pm_ball_series angle = number(ball_of(pm_interval_angle(up, along)));
+    if (may_leap(up, along)) return pm_ball_series_unknown();
     for (int k = 1; k < TERMS; k++) { /* square angle' = x y' - y x', by its coefficient k - 1 */
         pm_ball rest = {0, 0};
         for (int j = 1; j <= k; j++) {

@@ -3,9 +3,9 @@
  *   f(middle + half u) = c[0] + c[1] u + c[2] u^2 + ..    -1 <= u <= 1
  *
  * With the coefficients at the middle alone these are those of f there; with what they are all over the part, the last one
- * bounds what a series of the others about the middle leaves out (Moore, Kearfott and Cloud 2009, 9.3): bounds by it come nearer
- * with a high power of the part's length, where those of intervals (interval.h) do with the length itself.  What is not bounded
- * is by infinity, or not a number. */
+ * bounds what a series of the others about the middle leaves out (Moore, Kearfott and Cloud 2009, 9.3).  Such bounds come near
+ * with a high power of the part's length, those of intervals (interval.h) with the length itself.  What is not bounded is by
+ * infinity, or not a number. */
 #ifndef PM_BALL_SERIES_H
 #define PM_BALL_SERIES_H
 
@@ -26,6 +26,7 @@ typedef struct pm_ball_series {
 static inline pm_interval pm_ball_interval(pm_ball x) { return (pm_interval){x.at - x.by, x.at + x.by}; }
 
 pm_ball_series pm_ball_series_number(double x);
+pm_ball_series pm_ball_series_unknown(void); /* whatever it is, it is not bounded */
 /* The polynomial of a step: its coefficients at the middle, or (wide) all over the part. */
 pm_ball_series pm_ball_series_of(const pm_chebyshev_series *x, double middle, double half, int wide);
 
