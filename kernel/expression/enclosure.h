@@ -49,7 +49,7 @@ pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *numb
 pm_interval pm_enclosure_bends_along(const pm_model *m, int index, const double *number,
                                      const pm_measure_series *along, double from, double to);
 
-/* The whole at one place, of the branch with these signs of its switches (pm_switches in program.h); NULL: the one that is taken
+/* The program at one place, of the branch with these signs of its switches (pm_switches in program.h); NULL: the one that is taken
  * there. */
 pm_jet pm_enclosure_at(const pm_model *m, int index, const double *number, const pm_measure_series *along,
                        const signed char *sign, double s);

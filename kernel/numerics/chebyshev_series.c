@@ -133,7 +133,7 @@ void pm_chebyshev_series_cut(pm_chebyshev_series *x, double part)
                  least = pm_max(part * changes, PM_SERIES_ROUNDING * x->size);
     int j = x->n - 1;
     for (; j > 0 && fabs(x->value[j]) <= least; j--) x->value[j] = 0;
-    if (j == 0) x->size = 0; /* a number does not scatter */
+    if (j == 0) x->size = 0; /* what holds for a phase, 0 or 1, has no rounding */
     derive_all(x);
 }
 
