@@ -271,7 +271,7 @@ FAULTS = [
         "motion: a bend at a sample is compared with differences of values alone",
         "events/shown.c",
         "most = fmax(apart * fabs(sample[j + 1].rate.lo - sample[j].rate.lo), most);",
-        "most = fmax(0 * fabs(sample[j + 1].rate.lo - sample[j].rate.lo), most);",
+        "most = fmax(0 * apart, most);",
     ),
     Fault(
         "motion: bends of rounding",

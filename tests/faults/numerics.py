@@ -188,6 +188,6 @@ FAULTS = [
         "series of balls: an angle does not leap",
         "numerics/ball_series.c",
         "if (may_leap(up, along)) return",
-        "if (0 * may_leap(up, along)) return",
+        "if (may_leap(up, along) && up.lo > up.hi) return",
     ),
 ]

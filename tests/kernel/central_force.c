@@ -18,6 +18,7 @@ static particle particle_at(double x, double y, double vx, double vy)
 {
     particle p = {.s = scene_create()};
     scene_set(p.s, PM_SETTING_GRAVITY_Y, 0);
+    *scene_setting(p.s, PM_SETTING_MAX_STEPS) = 2000;
     p.point = scene_point(p.s, scene_body(p.s, 1, 0, x, y, 0), 0, 0);
     for (int i = 0; i < 2; i++) {
         p.place[i] = scene_part(p.s, PM_MEASURE_POSITION, p.point, PM_PART_X + i);

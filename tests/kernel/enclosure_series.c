@@ -152,11 +152,24 @@ static void a_circle(double angle)
     motion_free(x);
 }
 
+/* atan2(y, -1) leaps where y passes 0: nothing is known of it there, and much beside it. */
+static void an_angle(double at)
+{
+    motion *x = motion_create();
+    const int program = SCENE_PROGRAM(x->s, scene_m(x->place[1]), scene_k(x->s, -1), scene_op(PM_OP_ATAN2));
+    move(x, 1, cubic, (const double[4]){-at, 1});
+    EQUAL(scene_begin(x->s), PM_OK);
+    CHECK(!isfinite(pm_interval_size(bends(x, program, 0, 1))));
+    NEAR(pm_interval_size(bends(x, program, 0.5 * at, 0.9 * at)), 0, 1);
+    motion_free(x);
+}
+
 int main(void)
 {
     random_programs();
     for (int i = 0; i < 100; i++) {
         a_bell(check_random(0.1, 0.9), pow(10, check_random(-6, -1)));
+        an_angle(check_random(0.1, 0.9));
         a_circle(check_random(0.02, 0.08));
     }
     return check_failures();
