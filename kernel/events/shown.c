@@ -5,17 +5,29 @@
 
 #include "numerics/tolerances.h"
 
+static double second_difference(const pm_jet *x)
+{
+    return fabs(x[-1].value.lo - 2 * x[0].value.lo + x[1].value.lo);
+}
+
+/* The greatest one by sample k, or that by the rates there: the bend may be zero on average where one of the two is taken. */
+static double differences(const pm_jet *sample, int k, double apart)
+{
+    const int last = PM_SHOWN_SAMPLES - 1;
+    double most = 0;
+    for (int j = k < 2 ? 1 : k - 1; j <= k + 1 && j < last; j++)
+        most = fmax(second_difference(sample + j), most);
+    for (int j = k > 0 ? k - 1 : 0; j <= k && j < last; j++)
+        most = fmax(apart * fabs(sample[j + 1].rate.lo - sample[j].rate.lo), most);
+    return most;
+}
+
 /* The bends at the samples, by the squared distance of these, are about the second differences of the values: not so where a
  * sample falls by chance into a pulse that is narrower than their distance. */
 static int are_dense(const pm_jet *sample, double apart, double nothing)
 {
-    double second[PM_SHOWN_SAMPLES];
-    for (int k = 1; k + 1 < PM_SHOWN_SAMPLES; k++)
-        second[k] = fabs(sample[k - 1].value.lo - 2 * sample[k].value.lo + sample[k + 1].value.lo);
     for (int k = 0; k < PM_SHOWN_SAMPLES; k++) {
-        const int first = k < 2 ? 1 : k - 1, last = k > PM_SHOWN_SAMPLES - 3 ? PM_SHOWN_SAMPLES - 2 : k + 1;
-        double most = 0;
-        for (int j = first; j <= last; j++) most = fmax(second[j], most);
+        const double most = differences(sample, k, apart);
         const double bend = pm_interval_size(sample[k].bend); /* not bounded where a root begins */
         if (isfinite(bend) && bend * apart * apart > PM_TIME_DENSE * most + nothing) return 0;
     }
@@ -78,11 +90,22 @@ static int sampled_bends(const pm_shown *x, double from, double to, pm_interval 
     return are_dense(sample, h / (PM_SHOWN_SAMPLES - 1), nothing);
 }
 
-/* Whether the program stays within its bends over a part of the stretch. */
+/* Whether the program stays within its bends over a part of the stretch, by series of high order: where intervals tell too
+ * little. */
+static int stays_by_series(const pm_shown *x, pm_interval bends, double from, double to)
+{
+    const pm_workspace *w = x->w;
+    return x->along &&
+           pm_interval_inside(
+               pm_enclosure_bends_along(w->model, x->program, w->numbers.folded, x->along, from, to), bends);
+}
+
+/* The same by either, part by part. */
 static int stays(const pm_shown *x, pm_interval bends, double from, double to, int *budget)
 {
     const double middle = 0.5 * (from + to);
     if (pm_interval_inside(x->enclose(x, from, to).jet.bend, bends)) return 1;
+    if (stays_by_series(x, bends, from, to)) return 1;
     if (--*budget < 0 || !pm_interval_inside(x->enclose(x, middle, middle).jet.bend, bends)) return 0;
     return stays(x, bends, from, middle, budget) && stays(x, bends, middle, to, budget);
 }
@@ -93,6 +116,7 @@ int pm_shown_between(const pm_shown *x, double from, double to)
     pm_interval bends;
     int budget = PM_TIME_PARTS;
     if (!sampled_bends(x, from, to, &bends)) return 0;
+    if (stays_by_series(x, bends, from, to)) return 1; /* often at once */
     for (int k = 0; k + 1 < PM_SHOWN_SAMPLES; k++)
         if (!stays(x, bends, from + h * k, from + h * (k + 1), &budget)) return 0;
     return 1;

@@ -1,7 +1,8 @@
 /* shown.h - whether samples of a stretch show what a program does between them.
  *
  * They do if its second derivative stays, everywhere in between, within what it is at the samples: a pulse between two of them
- * has a much greater one.  Where the enclosure of a part is too wide to say so, the part is halved. */
+ * has a much greater one.  Where the enclosure of a part by intervals is too wide to say so, series of high order are asked, and
+ * the part is halved. */
 #ifndef PM_SHOWN_H
 #define PM_SHOWN_H
 

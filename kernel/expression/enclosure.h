@@ -45,7 +45,11 @@ typedef struct pm_measure_series {
 pm_enclosure pm_enclosure_along(const pm_model *m, int index, const double *number,
                                 const pm_measure_series *along, double from, double to);
 
-/* The same at one place, of the branch with these signs of its switches (pm_switches in program.h); NULL: the one that is taken
+/* Its bends there, by series of high order (enclosure_series.c): narrower, and dearer, where it has no open switch. */
+pm_interval pm_enclosure_bends_along(const pm_model *m, int index, const double *number,
+                                     const pm_measure_series *along, double from, double to);
+
+/* The program at one place, of the branch with these signs of its switches (pm_switches in program.h); NULL: the one that is taken
  * there. */
 pm_jet pm_enclosure_at(const pm_model *m, int index, const double *number, const pm_measure_series *along,
                        const signed char *sign, double s);

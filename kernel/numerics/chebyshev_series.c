@@ -131,7 +131,9 @@ void pm_chebyshev_series_cut(pm_chebyshev_series *x, double part)
 {
     const double changes = x->size - fabs(x->value[0]),
                  least = pm_max(part * changes, PM_SERIES_ROUNDING * x->size);
-    for (int j = x->n - 1; j > 0 && fabs(x->value[j]) <= least; j--) x->value[j] = 0;
+    int j = x->n - 1;
+    for (; j > 0 && fabs(x->value[j]) <= least; j--) x->value[j] = 0;
+    if (j == 0) x->size = 0; /* what holds for a phase, 0 or 1, has no rounding */
     derive_all(x);
 }
 

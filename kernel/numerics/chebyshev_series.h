@@ -27,7 +27,8 @@ void pm_chebyshev_series_begin(pm_chebyshev_series *series, const pm_chebyshev_n
 double pm_chebyshev_series_least_rate(const pm_chebyshev_series *series);
 double pm_chebyshev_series_least_bend(const pm_chebyshev_series *series);
 
-/* Without the highest coefficients up to this part of what changes, or up to rounding: bends make both 1000 times larger. */
+/* Without the highest coefficients up to this part of what changes, or up to rounding: bends make both 1000 times larger.  What
+ * does not change then counts as an exact number. */
 void pm_chebyshev_series_cut(pm_chebyshev_series *series, double part);
 
 typedef struct pm_chebyshev_part {

@@ -262,6 +262,18 @@ FAULTS = [
         "if (isfinite(part[k].most)) *x->size = fmax(*x->size, part[k].most);",
     ),
     Fault(
+        "motion: what a force does between samples is bounded by intervals alone",
+        "events/shown.c",
+        "return x->along && pm_interval_inside(",
+        "return 0 && pm_interval_inside(",
+    ),
+    Fault(
+        "motion: a bend at a sample is compared with differences of values alone",
+        "events/shown.c",
+        "most = fmax(apart * fabs(sample[j + 1].rate.lo - sample[j].rate.lo), most);",
+        "most = fmax(0 * apart, most);",
+    ),
+    Fault(
         "motion: bends of rounding",
         "events/motion_course.c",
         "pm_chebyshev_series_cut(&c->along.series[i], PM_MOTION_CUT);",

@@ -28,6 +28,12 @@ FAULTS = [
         "return no_pole && !pm_jet_changes(op, x);",
     ),
     Fault(
+        "enclosure: a series takes the lesser of two for the greater",
+        "expression/enclosure_series.c",
+        "case PM_OP_MAX: return either(a, b, 1);",
+        "case PM_OP_MAX: return either(a, b, -1);",
+    ),
+    Fault(
         "enclosure: numbers have no end",
         "expression/enclosure_rules.c",
         "if (x->gaps) return x->gaps == PM_GAPS_EVERYWHERE;",

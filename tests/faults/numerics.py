@@ -178,4 +178,16 @@ FAULTS = [
         "#define PM_WAVES_FEW 0.01",
         "#define PM_WAVES_FEW 100.0",
     ),
+    Fault(
+        "series of balls: over the part the coefficients are those at its middle",
+        "numerics/ball_series.c",
+        "if (wide) widen(c, n, &y);",
+        "(void)wide, (void)widen;",
+    ),
+    Fault(
+        "series of balls: an angle does not leap",
+        "numerics/ball_series.c",
+        "if (may_leap(up, along)) return",
+        "if (may_leap(up, along) && up.lo > up.hi) return",
+    ),
 ]

@@ -302,3 +302,45 @@ def test_what_a_force_of_the_motion_has_and_has_not() -> None:
     assert abs(number(result["r"])) == pytest.approx(abs(number(result["v"])), rel=1e-9)
     with pytest.raises(Exception, match=r'"S.energy": it has no potential; ask for its work'):
         load_text(LINE.format(force=CUBIC[2]).replace("[ask]", '[ask]\ne = "S.energy"')).run()
+
+
+DISC = """
+plane = "horizontal"
+parameters = {{ R = "0.1 m", k = "100 kN/m" }}
+bodies.p = {{ mass = "1 kg", at = ["-10 m", "{y} m"] }}
+start.p.velocity.x = "1 m/s"
+until = "t = 15 s"
+[forces]
+push.force = "p"
+push.value = ["k*{depth}*p.x/norm(p.x, p.y)", "k*{depth}*p.y/norm(p.x, p.y)"]
+[ask]
+x = "p.x"
+vx = "p.velocity.x"
+vy = "p.velocity.y"
+"""
+# How deep it is in the disc, written in four ways.
+DEPTHS = (
+    "max(0 m, R - norm(p.x, p.y))",
+    "max(R - norm(p.x, p.y), 0 m)",
+    "(-min(norm(p.x, p.y) - R, 0 m))",
+    "(R - min(R, norm(p.x, p.y)))",
+)
+
+
+@pytest.mark.parametrize("depth", DEPTHS)
+def test_free_flight_past_a_soft_disc(depth: str) -> None:
+    """The greater of two is one of them, without rounding: no force is none, however stiff the disc is."""
+    for y in (0.3, -0.15):
+        result = load_text(DISC.format(y=y, depth=depth)).run()
+        assert result.ok
+        assert result.counts["steps"] < 40
+        assert number(result.x) == pytest.approx(5, abs=1e-13)
+        assert (number(result.vx), number(result.vy)) == (1, 0)
+
+
+@pytest.mark.parametrize("depth", DEPTHS)
+def test_flight_against_a_soft_disc(depth: str) -> None:
+    result = load_text(DISC.format(y=0.05, depth=depth)).run()
+    assert result.ok
+    assert result.counts["steps"] < 100
+    assert math.hypot(number(result.vx), number(result.vy)) == pytest.approx(1, abs=1e-9)

@@ -113,7 +113,7 @@ class Switches:
                 for other in others:
                     greater = self._side(first, other, where)
                     a, b = (first, other) if node.function == "max" else (other, first)
-                    first = b + greater * (a - b)
+                    first = greater * a + (1.0 - greater) * b  # one of them, without rounding
                 return first
             case Lookup():
                 return self._by_piece(node, where)
