@@ -1,4 +1,4 @@
-"""Springs that only push or only pull: when they begin and cease to act, however long nothing happens before."""
+"""Springs that only push or only pull: when they begin and cease to act, however far a body comes from."""
 
 from __future__ import annotations
 

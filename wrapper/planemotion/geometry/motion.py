@@ -47,8 +47,8 @@ class MotionPrograms:
         return Name(f"{_WAITS}{len(self._waiting) - 1}")
 
     def program(self, node: Node, where: str, row: int, column: int) -> int:
-        """The program of an expression for a column of a force; 0 for one that waits, or that may switch by what
-        the element itself reads of the motion."""
+        """The program of an expression for a column of a force; 0 for one that waits, or that may switch by
+        what the element itself reads of the motion."""
         if not waits(node) and not self._reads_motion(node):
             return self._tables.program(node, where)
         self._late.append((row, column, node, where))
