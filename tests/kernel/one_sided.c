@@ -19,9 +19,11 @@ static int side_of(scene *s, int force)
 static void flies_back(int route)
 {
     for (int i = 0; i < (route == PM_ROUTE_IDA ? 10 : 100); i++) {
-        const double length = pow(10, check_random(-2, 0)), far = length * pow(10, check_random(0.1, route == PM_ROUTE_IDA ? 1 : 3)),
-                     speed = pow(10, check_random(-1, 1)), rate = speed / length * pow(10, check_random(0.1, 3)),
-                     meets = (far - length) / speed, leaves = meets + 3.14159265358979323846 / rate,
+        const double length = pow(10, check_random(-2, 0)),
+                     far = length * pow(10, check_random(0.1, route == PM_ROUTE_IDA ? 1 : 3)),
+                     speed = pow(10, check_random(-1, 1)),
+                     rate = speed / length * pow(10, check_random(0.1, 3)), meets = (far - length) / speed,
+                     leaves = meets + 3.14159265358979323846 / rate,
                      end = leaves + check_random(0.1, 1) * meets;
         scene *s = estimating(1e-10);
         *scene_setting(s, PM_SETTING_ROUTE) = route;
@@ -30,8 +32,8 @@ static void flies_back(int route)
         const int p = scene_point(s, scene_body(s, 1, 0, -far, 0, 0), 0, 0);
         scene_start_velocity(s, p, speed, 0);
         const int force = SCENE_ROW(s, PM_TABLE_FORCE, PM_FORCE_SPRING, p, scene_point(s, PM_GROUND, 0, 0),
-                                    scene_value(s, rate * rate), scene_value(s, length), side_of(s, 0), PM_NONE,
-                                    PM_SPRING_PUSH);
+                                    scene_value(s, rate * rate), scene_value(s, length), side_of(s, 0),
+                                    PM_NONE, PM_SPRING_PUSH);
         scene_until_time(s, end);
         scene_ask_measure(s, scene_part(s, PM_MEASURE_POSITION, p, PM_PART_X));
         scene_ask_extreme(s, PM_ASK_MIN, scene_read(s, scene_measure(s, PM_MEASURE_FORCE_STRETCH, force)),

@@ -40,10 +40,14 @@ ask.y = { of = "m.y", unit = "m" }
 """
 
 
-def _run(scene: Scene, route: str, **values: object) -> dict[str, tuple[float, float]]:
+def _run(scene: Scene, route: str, **values: str) -> dict[str, tuple[float, float]]:
     result = scene.with_values({"solve.route": route, **values}).run()
     assert result.status == "ok"
-    return {key: (result[key], result.asks[key].error or 0.0) for key in result.asks}
+    told: dict[str, tuple[float, float]] = {}
+    for key, ask in result.asks.items():
+        assert isinstance(ask.value, float)
+        told[key] = ask.value, ask.error if isinstance(ask.error, float) else 0.0
+    return told
 
 
 def _draws(seed: int, n: int) -> list[dict[str, str]]:
