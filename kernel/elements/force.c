@@ -45,9 +45,8 @@ static void pull(pm_action *x, double size)
 int pm_force_is_slack(pm_workspace *w, const int32_t *e, double stretch)
 {
     if (e[PM_FORCE_OPTION] == PM_SPRING_BOTH) return 0;
-    const double side = e[PM_FORCE_PROGRAM_X] == PM_NONE
-                            ? stretch
-                            : pm_drive_program(w, e[PM_FORCE_PROGRAM_X]) - 0.5;
+    const double side =
+        e[PM_FORCE_PROGRAM_X] == PM_NONE ? stretch : pm_drive_program(w, e[PM_FORCE_PROGRAM_X]) - 0.5;
     return e[PM_FORCE_OPTION] == PM_SPRING_PULL ? side < 0 : side > 0;
 }
 

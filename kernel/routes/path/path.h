@@ -91,9 +91,9 @@ typedef struct pm_clock {
     double rate;                   /* 1; of a coarse run, what errors that are all alike would make of it */
     double unresolved;             /* s, since the run began: what the nodes of the steps leave out */
     double greatest;               /* s, of that, in one step; in steps that repeat, together */
-    double tail;     /* of the clock of the step that was tried before */
-    double length;   /* of that step */
-    double longer;   /* tail of the longer step that was tried before it */
+    double tail;                   /* of the clock of the step that was tried before */
+    double length;                 /* of that step */
+    double longer;                 /* tail of the longer step that was tried before it */
     double series[PM_NODES_CLOCK]; /* Chebyshev coefficients of the smooth part of dt/du */
     int terms;                     /* of them: how many matter */
     pm_clock_table table;

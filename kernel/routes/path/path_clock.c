@@ -256,7 +256,8 @@ static double set_by_fine(pm_path *p, const double *mass, const double *kinetic)
 int pm_path_clock_set(pm_path *p, int clock, double most)
 {
     double mass[PM_NODES_MOST], kinetic[PM_NODES_MOST];
-    if (p->h < p->clock.length) p->clock.longer = p->clock.tail; /* more nodes of the same step make no rounding known */
+    /* more nodes of the same step tell nothing of rounding */
+    if (p->h < p->clock.length) p->clock.longer = p->clock.tail;
     p->clock.length = p->h;
     p->clock.kind = clock;
     p->clock.terms = 0;
