@@ -15,11 +15,13 @@ enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS | PM_OPERATION_COUNT
 /* What is made of a distance has nearly a corner where that is small for a moment, however long the step is. */
 static int is_of_distance(const pm_model *m, int measure)
 {
-    switch ((enum pm_measure_kind)PM_MEASURE_ROW(m, measure)[PM_MEASURE_KIND]) {
+    const int32_t *e = PM_MEASURE_ROW(m, measure);
+    switch ((enum pm_measure_kind)e[PM_MEASURE_KIND]) {
     case PM_MEASURE_FORCE_STRETCH:
     case PM_MEASURE_FORCE_RATE:
-    case PM_MEASURE_FORCE_ENERGY:
-    case PM_MEASURE_CONTACT_GAP: return 1;
+    case PM_MEASURE_FORCE_ENERGY: return 1;
+    case PM_MEASURE_CONTACT_GAP:
+        return PM_CONTACT_ROW(m, e[PM_MEASURE_A])[PM_CONTACT_KIND] == PM_CONTACT_CORD;
     default: return 0;
     }
 }
