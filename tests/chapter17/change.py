@@ -66,7 +66,9 @@ MEASURES = {
     "FORCE_WORK": (1, 2, -2, 0),
     "FORCE_POWER": (1, 2, -3, 0),
     "FORCE_ENERGY": (1, 2, -2, 0),
+    "FORCE_STRETCH": (0, 1, 0, 0),  # of points
     "EVENT_COUNT": (0, 0, 0, 0),
+    "EVENT_SIDE": (0, 0, 0, 0),
     "EVENT_TIME": (0, 0, 1, 0),
     "POTENTIAL": (1, 2, -2, 0),
     "TOTAL": (1, 2, -2, 0),
