@@ -52,7 +52,8 @@ static void add_forces(const pm_workspace *w, pm_motion_course *c)
     for (int i = 0; i < m->rows[PM_TABLE_FORCE]; i++)
         for (int k = 0; k < pm_force_of(m, i)->programs; k++) {
             const int program = PM_FORCE_ROW(m, i)[PM_FORCE_PROGRAM_X + k];
-            if (!pm_waves_may_be(w, program) || pm_program_walk_reads(m, program, is_of_motion) == PM_NONE)
+            if (!pm_waves_beyond_distances(w, program) ||
+                pm_program_walk_reads(m, program, is_of_motion) == PM_NONE)
                 continue;
             c->program[c->n++] = program;
             add_measures(m, c, program);

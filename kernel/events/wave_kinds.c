@@ -31,7 +31,7 @@ static int more_than_operands(const pm_model *m, const pm_program_step *s)
 {
     const int op = s->op;
     switch (s->kind) {
-    case STEP_MEASURE: return is_of_distance(m, s->arg) ? PM_WAVES_ANY : PM_WAVES_NONE;
+    case STEP_MEASURE: return is_of_distance(m, s->arg) ? PM_WAVES_DISTANCES : PM_WAVES_NONE;
     case STEP_NUMBER:
     case STEP_ANSWER: return PM_WAVES_NONE;
     case STEP_TABLE:

@@ -4,7 +4,7 @@
 
 #include "state/model.h"
 
-enum { PM_WAVES_NONE = 0, PM_WAVES_SWITCHES_ONLY = 1, PM_WAVES_ANY = 2 };
+enum { PM_WAVES_NONE = 0, PM_WAVES_SWITCHES_ONLY = 1, PM_WAVES_DISTANCES = 2, PM_WAVES_ANY = 3 };
 
 /* The most that it may have. */
 int pm_wave_kinds_of(const pm_model *m, int program);

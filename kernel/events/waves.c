@@ -47,6 +47,11 @@ int pm_waves_create(pm_workspace *w)
 
 int pm_waves_may_be(const pm_workspace *w, int program)
 {
+    return w->watched->waves->possible[program] >= PM_WAVES_DISTANCES;
+}
+
+int pm_waves_beyond_distances(const pm_workspace *w, int program)
+{
     return w->watched->waves->possible[program] == PM_WAVES_ANY;
 }
 

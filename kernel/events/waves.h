@@ -13,6 +13,8 @@
 int pm_waves_create(pm_workspace *w);
 /* 1 if a program may have waves along a step, by an operation that is neither a sum, a product nor a switch. */
 int pm_waves_may_be(const pm_workspace *w, int program);
+/* The same but for the corners of distances that it reads. */
+int pm_waves_beyond_distances(const pm_workspace *w, int program);
 /* 1 if something that is watched in the phase might have waves. */
 int pm_waves_possible(const pm_workspace *w, int functions, int watched);
 /* 1 if there are none for sure, by samples at any nodes. */

@@ -55,7 +55,7 @@ def test_words_of_a_bouncing_ball(route: str) -> None:
 def test_of_a_series_that_is_taken_at_once_there_is_the_beginning() -> None:
     """Blows that shrink to nothing are counted no more: the word says that it is not whole."""
     answer = simulate(ball().solve(route="rk").with_values({"e": 0.05})).asks["word"]
-    assert answer.value == "blow top blow top blow top"
+    assert answer.value == "blow top blow top blow top blow"
     assert "more events" in answer.reason
 
 
