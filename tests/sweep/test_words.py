@@ -52,10 +52,18 @@ def test_words_of_a_bouncing_ball(route: str) -> None:
     assert planemotion.words(result["word"]).values.tolist() == wanted
 
 
+def test_blows_that_a_run_waits_for_are_in_its_word() -> None:
+    """Though the rest of their series is taken at once."""
+    answer = simulate(ball().solve(route="rk").with_values({"e": 0.05})).asks["word"]
+    assert answer.value == expected(0.05, 0.6)
+    assert answer.reason == ""
+
+
 def test_of_a_series_that_is_taken_at_once_there_is_the_beginning() -> None:
     """Blows that shrink to nothing are counted no more: the word says that it is not whole."""
-    answer = simulate(ball().solve(route="rk").with_values({"e": 0.05})).asks["word"]
-    assert answer.value == "blow top blow top blow top blow"
+    text = BALL.format(events=ALL, more="").replace('until = "blow 4"', 'until = "t = 2 s"')
+    answer = simulate(load_text(text).solve(route="rk").with_values({"e": 0.05})).asks["word"]
+    assert str(answer.value).startswith("blow top blow top blow")
     assert "more events" in answer.reason
 
 
