@@ -135,11 +135,6 @@ static void add_hold(const pm_phase *phase, pm_event_set *e, int kind, int index
     }
 }
 
-static int is_open(const pm_workspace *w, int contact)
-{
-    return w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN;
-}
-
 static void add_gap(pm_workspace *w, int contact)
 {
     pm_event_set *e = w->event;
@@ -147,7 +142,8 @@ static void add_gap(pm_workspace *w, int contact)
     /* what others all but hold is left open, and sinks by a hair: each time it closes in vain it may sink by twice as much */
     add(&w->phase, w->event, FUNCTION_GAP, contact, -1, PM_LEVEL_KINEMATIC,
         ldexp(pm_contact_length(&w->frame), e->vain[contact]), w->numbers.size);
-    const int beside_edge = pm_edge_is(w->model, contact), open_edge = beside_edge && is_open(w, contact);
+    const int beside_edge = pm_edge_is(w->model, contact),
+              open_edge = beside_edge && pm_contact_is_open(w->model, &w->state, contact);
     f->below = (beside_edge && pm_edge_is_below(&w->frame, contact)) ||
                pm_contact_curve_is_below(&w->frame, &w->state, contact);
     f->over_end = open_edge && !f->below && pm_edge_is_over_end(&w->frame, contact);

@@ -4,6 +4,7 @@
 
 #include "state/model.h"
 
+/* Nothing; corners and jumps of switches; nearly corners, where a distance that it reads is small for a moment; anything. */
 enum { PM_WAVES_NONE = 0, PM_WAVES_SWITCHES_ONLY = 1, PM_WAVES_DISTANCES = 2, PM_WAVES_ANY = 3 };
 
 /* The most that it may have. */

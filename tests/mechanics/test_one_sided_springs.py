@@ -96,7 +96,7 @@ def _height(h: float, k: float, mass: float, at: float) -> float:
     return amplitude * math.cos(w * (late - 2 * fall - 0.5 * on) + math.pi) - rest
 
 
-@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_stiff_bumper_throws_back(route: str) -> None:
     scene, random = load_text(BUMPER), np.random.default_rng(2)
     for _ in range(8 if route == "ida" else 60):
@@ -119,7 +119,7 @@ def test_a_stretch_that_is_small_for_a_moment_is_seen(route: str, far: float) ->
 
 @pytest.mark.parametrize("only", ["push", "pull"])
 def test_a_spring_at_its_free_length_stays_there(only: str) -> None:
-    """At rest, and with a motion across that keeps its length: nothing acts, nothing happens."""
+    """At rest nothing acts, and nothing happens."""
     text = f"""
 plane = "horizontal"
 until = "t = 2 s"

@@ -6,7 +6,7 @@ holds: within a phase a force is smooth.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from .. import _layout as layout
 from ..base.errors import SceneError
@@ -73,23 +73,16 @@ class Switches:
     def _check(self, leaf: Name | Address) -> None:
         if str(leaf) in self.measures.reader.parameters.nodes:
             return
-        for row in self._rows(self.measures.reading(leaf).node):
+        for row in self.tables.measure_rows(self.measures.reading(leaf).node):
             if row[layout.PM_MEASURE_KIND] in _AFTER_FORCES:
                 raise SceneError(
                     f'"{leaf}" is known only when all forces are; a force may read positions, velocities, '
                     "stretches, gaps, slips and counts of events"
                 )
 
-    def _rows(self, node: Node) -> Iterator[tuple[int, ...]]:
-        """The rows of the measures in it."""
-        for leaf in names(node):
-            index = self.tables.measure_index(leaf)
-            if index is not None:
-                yield self.tables.rows[layout.PM_TABLE_MEASURE][index]
-
     def program(self, node: Node, where: str) -> Node:
         """The same; what switches by the motion reads the side of its switch, where a phase ends."""
-        for row in self._rows(node):
+        for row in self.tables.measure_rows(node):
             if row[layout.PM_MEASURE_KIND] in _OF_EVENT:
                 event, column = row[layout.PM_MEASURE_A], layout.PM_EVENT_EFFECT
                 self.tables.put(layout.PM_TABLE_EVENT, event, column, layout.PM_EFFECT_COUNT)
@@ -126,7 +119,7 @@ class Switches:
         """An expression that is looked at all along, and whose tables are read at more than parameters: each
         by the piece that holds for a phase."""
         node = with_operands(node, [self.watched(one, where) for one in operands(node)])
-        if isinstance(node, Lookup) and node.read == "value" and any(self._rows(node)):
+        if isinstance(node, Lookup) and node.read == "value" and any(self.tables.measure_rows(node)):
             return self._by_piece(node, where)
         return node
 
@@ -183,4 +176,4 @@ class Switches:
     def _moves(self, node: Node) -> bool:
         """Whether it changes by more than the time, whose switches the kernel knows, and what events tell."""
         still = (layout.PM_MEASURE_TIME, *_OF_EVENT, layout.PM_MEASURE_EVENT_SIDE)
-        return any(row[layout.PM_MEASURE_KIND] not in still for row in self._rows(node))
+        return any(row[layout.PM_MEASURE_KIND] not in still for row in self.tables.measure_rows(node))

@@ -56,11 +56,8 @@ class MotionPrograms:
 
     def _reads_motion(self, node: Node) -> bool:
         """Whether it reads a measure of more than the time."""
-        rows = self._tables.rows[layout.PM_TABLE_MEASURE]
-        measures = [self._tables.measure_index(leaf) for leaf in names(node)]
-        return any(
-            rows[i][layout.PM_MEASURE_KIND] != layout.PM_MEASURE_TIME for i in measures if i is not None
-        )
+        kinds = (row[layout.PM_MEASURE_KIND] for row in self._tables.measure_rows(node))
+        return any(kind != layout.PM_MEASURE_TIME for kind in kinds)
 
     def finish(self, read: Callable[[Waiting], Node], program: Callable[[Node, str], Node]) -> None:
         """Makes what waits.

@@ -6,7 +6,7 @@ values ("#3") and measures ("@7") by the index that they have here, answers ("!2
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -139,6 +139,13 @@ class Tables:
         """The measure that a leaf stands for; None if it is anything else."""
         is_measure = isinstance(node, Name) and node.text.startswith(_MEASURE)
         return int(node.text[1:]) if is_measure and isinstance(node, Name) else None
+
+    def measure_rows(self, node: Node) -> Iterator[tuple[int, ...]]:
+        """The rows of the measures in an expression."""
+        for leaf in names(node):
+            index = self.measure_index(leaf)
+            if index is not None:
+                yield self.rows[layout.PM_TABLE_MEASURE][index]
 
     def default_value(self, index: int) -> float:
         """A value at the defaults of the parameters, SI."""
