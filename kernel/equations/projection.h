@@ -5,10 +5,11 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-/* Newton's sweeps back onto constraints end: they are met, or rounding keeps sweeps from gaining.  Residuals now and before, m. */
+/* Newton's sweeps back onto constraints end: they are met, or rounding keeps sweeps from gaining.  Residuals now and before, m.
+ * The first sweep takes off nearly all of what is left: where a drive leads, a later blow may make much of it. */
 static inline int pm_projection_ends(const pm_numbers *numbers, int sweep, double worst, double before)
 {
-    return worst <= PM_MET * numbers->size || sweep == PM_PROJECTION_SWEEPS ||
+    return worst <= (sweep > 0 ? PM_MET : PM_MET_AT_ONCE) * numbers->size || sweep == PM_PROJECTION_SWEEPS ||
            (sweep > 1 && worst > PM_GAIN * before);
 }
 

@@ -64,7 +64,7 @@ void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
     x.kind = PM_EVIDENCE_RATE;
     x.what = function;
     x.in_time = w->phase.route->in_time;
-    x.distance = rate;
+    x.distance = f->every ? rate / (f->high - f->low) : rate; /* of its program (pm_event_of_sample) */
     x.reach = INFINITY;
     x.unit = f->natural * w->numbers.speed / w->numbers.size;
     pm_evidence_take(&w->evidence, &x);

@@ -116,6 +116,7 @@
 #define PM_SHARED_READ 1e-7 /* of what its parts do: what a balance does not change; larger: shared reactions pass */
 /* what is met */
 #define PM_MET 4e-15 /* of size, speed or terms: residual with nothing left to gain; larger: drift stays */
+#define PM_MET_AT_ONCE 2e-16 /* the same, before anything is taken off; larger: both runs that are compared keep it, and unstable motion makes much of it */
 #define PM_PROJECTION_SWEEPS 8 /* Newton steps back onto constraints: four do, but for rounding far off; more would only put off the end */
 #define PM_PROJECTION_NEAR 1e-6 /* of the size: what polynomials of the time miss constraints by is drift; larger: bodies are put elsewhere */
 #define PM_FRICTION_ROUNDS 400 /* of friction and reactions: more, and the joint jams */
@@ -308,6 +309,7 @@
 #define PM_ACCURACY_COARSE 1.75 /* steps of a coarse run, of the motion's own time: in order 8 PM_COARSER and some more; calibrated */
 #define PM_ACCURACY_FEW 16 /* steps of a run: two runs of few steps may err alike; more: estimates cost more; less: errors are told too small */
 #define PM_ACCURACY_LOOSE 1e-8 /* accuracies above it take two coarse runs on rk, as errors of such steps hardly go with the tolerance; less: estimates cost more; more: errors are told too small by chance */
+#define PM_ACCURACY_GROWN 1e-12 /* of its size: an error beyond, after several blows on rk, takes two coarse runs; less: estimates cost more; more: errors that have grown from rounding are told too small by chance */
 #define PM_ACCURACY_ANOTHER 2.5 /* times the tolerance of the first of them: that of the second; less: both may err alike; more: errors are estimated too large */
 #define PM_ACCURACY_REFINEMENTS 2 /* passes at tighter tolerances; more: longer runs that may not get better */
 #define PM_ACCURACY_LEAST_FACTOR 1e-4 /* of the tolerance, from one pass to the next: least change; more: more passes */

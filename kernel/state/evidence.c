@@ -34,7 +34,7 @@ void pm_evidence_begin(const pm_model *model, pm_evidence *evidence)
     pm_pass *p = evidence->present;
     evidence->unseen.t = NAN;
     if (!evidence->active) return;
-    evidence->noise = PM_EVIDENCE_SEED;
+    evidence->noise = PM_EVIDENCE_SEED + (uint64_t)p->number;
     for (int i = 0; i < model->nout; i++) p->error[i] = NAN, p->more[i] = 0;
     p->margin = INFINITY;
     p->relative = p->late = 0;

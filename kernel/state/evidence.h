@@ -8,7 +8,7 @@
 
 #include "state/workspace.h"
 
-#define PM_EVIDENCE_SEED 2385 /* of the disturbances of a coarse run: any number */
+#define PM_EVIDENCE_SEED 2383 /* of the disturbances of a coarse run, beside its number: any number */
 
 enum pm_evidence_kind {
     /* of a function of the phase that did not fire at this instant; of a trigger after a jump */
@@ -91,6 +91,7 @@ typedef struct pm_pass {
     uint64_t outcome; /* hash of status, reasons and event counts */
     int status;
     int coarse;
+    int number; /* of the passes of its case, from 1 */
     int fine; /* a coarse one that takes in two each step of the main one, which takes few */
     int halves;
     pm_evidence_log log;

@@ -206,6 +206,7 @@ static int judge_beside_before(pm_workspace *w, double *error, double *trust)
     pm_accuracy *e = w->accuracy;
     if (pm_evidence_has_series(e->main) || pm_evidence_has_series(e->spare)) return 0; /* both cut it alike */
     if (pm_time_course_rounded(w) > PM_SCALES_TIMES * w->numbers.accuracy) return 0;
+    if (e->main->count[PM_COUNT_JUMPS] > 0) return 0; /* flights between blows may have no error but rounding */
     if (w->evidence.seeks || !(w->phase.route->steps_by_tolerance > 0) ||
         !steps_go_with_tolerance(&w->phase, e->spare, e->main))
         return 0;
@@ -226,6 +227,14 @@ static int errs_by_chance(const pm_workspace *w)
     const pm_accuracy *e = w->accuracy;
     return w->numbers.accuracy > PM_ACCURACY_LOOSE && e->other->coarse && !e->other->fine &&
            pm_pass_steps_on_rk(e->main);
+}
+
+/* From blow to blow a motion may make far more of rounding than it was; a coarse run shows what it made of one disturbance. */
+static int makes_much_of_rounding(const pm_workspace *w, const double *trust)
+{
+    const pm_accuracy *e = w->accuracy;
+    return e->main->count[PM_COUNT_JUMPS] > 1 && pm_pass_steps_on_rk(e->main) && e->other->coarse &&
+           trust[PM_TRUST_EXCESS] * w->numbers.accuracy > PM_ACCURACY_GROWN;
 }
 
 /* A second coarse run, at another tolerance: each error is the greater of both.  One that decided otherwise, which the first did not,
@@ -254,7 +263,7 @@ static int judge_by_coarse(pm_workspace *w, const double *param, const pm_pass *
     w->accuracy->before = before;
     if (!find_coarse(w, param)) return 0;
     pm_judge(w, error, trust);
-    if (errs_by_chance(w)) judge_by_another(w, param, error, trust);
+    if (errs_by_chance(w) || makes_much_of_rounding(w, trust)) judge_by_another(w, param, error, trust);
     return 1;
 }
 

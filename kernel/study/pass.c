@@ -46,7 +46,7 @@ void pm_pass_make(pm_workspace *w, const double *param, pm_pass *p, double facto
     pm_history *const trace = w->record.history;
     pm_phase_report *const phases = w->record.phases;
     w->evidence.present = p;
-    e->npass++;
+    p->number = ++e->npass;
     p->factor = factor;
     p->coarse = coarse;
     p->fine = coarse && takes_few_steps(e->main);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 
@@ -229,3 +230,31 @@ def test_the_time_that_a_nudge_takes_is_not_known() -> None:
     text = nudged("rod.omega < 0") + 'start_of_fall = "t"'
     answer = planemotion.load_text(text).run().asks["start_of_fall"]
     assert number(answer.error) > 0.01
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_kicks_at_even_times_are_no_doubt(route: str) -> None:
+    """An oscillator that is struck again and again: rotations of (x, v/omega), and a step of v between them."""
+    draw, rate = random.Random(4), 3.0
+    for _ in range(12):
+        period, way = math.exp(draw.uniform(math.log(0.02), math.log(3))), draw.uniform(-0.3, 0.3)
+        x, v, end = 0.3, 0.0, 7.0
+        kicks = math.floor(end / period)
+        for duration in [period] * kicks + [end - kicks * period]:
+            c, s = math.cos(rate * duration), math.sin(rate * duration)
+            x, v = c * x + s * v / rate, c * v - rate * s * x + way
+        found = planemotion.load_text(
+            f"""
+            until = "t = {end} s"
+            ground = {{ lines.rail = {{ through = [0, 0] }}, points.O = [0, 0] }}
+            bodies.b = {{ mass = "1 kg", at = ["0.3 m", 0] }}
+            joints.s = {{ slider = ["b", "ground.rail"] }}
+            forces.f = {{ spring = ["b", "ground.O"], stiffness = "9 N/m", free_length = 0 }}
+            events.k = {{ when = "t every {period!r} s", do = [{{ impulse = "b", value = ["{way!r} N*s", 0] }}] }}
+            ask.x = {{ of = "b.x", unit = "m" }}
+            ask.n = "k.count"
+            solve.route = "{route}"
+            """
+        ).run()
+        assert (found.status, found["n"]) == ("ok", kicks)
+        assert found["x"] == pytest.approx(x, abs=1e-9 if route != "ida" else 1e-6)
