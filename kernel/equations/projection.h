@@ -5,12 +5,19 @@
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
-/* Newton's sweeps back onto constraints end: they are met, or rounding keeps sweeps from gaining.  Residuals now and before, m.
- * The first sweep takes off nearly all of what is left: where a drive leads, a later blow may make much of it. */
+/* Newton's sweeps back onto constraints end: they are met, or rounding keeps sweeps from gaining.  Residuals now and before, m. */
 static inline int pm_projection_ends(const pm_numbers *numbers, int sweep, double worst, double before)
 {
-    return worst <= (sweep > 0 ? PM_MET : PM_MET_AT_ONCE) * numbers->size || sweep == PM_PROJECTION_SWEEPS ||
+    return worst <= PM_MET * numbers->size || sweep == PM_PROJECTION_SWEEPS ||
            (sweep > 1 && worst > PM_GAIN * before);
+}
+
+/* The same where a first sweep always pays: it takes off nearly all, and what is left of a drive a later blow may make much of. */
+static inline int pm_projection_ends_exactly(const pm_numbers *numbers, int sweep, double worst,
+                                             double before)
+{
+    if (sweep == 0 && worst > PM_MET_AT_ONCE * numbers->size) return 0;
+    return pm_projection_ends(numbers, sweep, worst, before);
 }
 
 /* Projects the state; on return the frame looks at it (KINEMATIC, constraints evaluated). */

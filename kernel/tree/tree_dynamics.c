@@ -315,7 +315,7 @@ int pm_tree_project(pm_workspace *w, double time, double *y, double *ydot, const
     for (int sweep = 0; t->nloop > 0; sweep++) {
         pm_tree_evaluate_loops(w->tree, &w->frame);
         const double worst = pm_constraint_openings(t->constraint, t->nloop, t->loop, t->residual);
-        if (pm_projection_ends(&w->numbers, sweep, worst, before)) break;
+        if (pm_projection_ends_exactly(&w->numbers, sweep, worst, before)) break;
         factored =
             worst <= PM_FACTORS_STAY * w->numbers.size; /* good enough for what is left, and for the rates */
         before = worst;

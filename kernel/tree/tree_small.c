@@ -339,7 +339,7 @@ INLINE int project(pm_workspace *w, int n, int nloop, double *y, double *ydot)
     for (int sweep = 0;; sweep++) {
         direct(x, n, y, p.direction);
         worst = openings(x, n, nloop, y, &p, opening);
-        if (pm_projection_ends(&w->numbers, sweep, worst, before)) break;
+        if (pm_projection_ends_exactly(&w->numbers, sweep, worst, before)) break;
         factored = worst <= PM_FACTORS_STAY * w->numbers.size;
         before = worst;
         if ((status = factor_here(w, n, nloop, &p))) return status;

@@ -36,8 +36,8 @@ FAULTS = [
     Fault(
         "error: one coarse run alone at loose accuracies",
         "study/accuracy.c",
-        "if (errs_by_chance(w)) judge_by_another",
-        "if (0 && errs_by_chance(w)) judge_by_another",
+        "if (errs_by_chance(w) ||",
+        "if (",
     ),
     Fault(
         "error: what was not kept is not repeated", "study/accuracy.c", "trust[PM_TRUST_EXCESS] <= 1;", "1;"
@@ -173,5 +173,17 @@ FAULTS = [
         "study/judge.c",
         "fmax(fmax(own, beside_others(w, share, ask, k, own)), late)",
         "fmax(own, late)",
+    ),
+    Fault(
+        "errors: what one disturbance grows to is believed",
+        "study/accuracy.c",
+        "|| makes_much_of_rounding(w, trust)) judge",
+        ") judge",
+    ),
+    Fault(
+        "errors: between blows they go with the tolerance",
+        "study/accuracy.c",
+        "if (e->main->count[PM_COUNT_JUMPS] > 0) return 0;",
+        "",
     ),
 ]

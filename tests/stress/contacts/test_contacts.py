@@ -324,4 +324,4 @@ def test_a_run_of_which_no_comparison_stands_has_no_error_that_could_be_believed
     result = planemotion.load_text(throw(506792).text()).run()
     assert result.status == "ok"
     assert all(ask.error is None for ask in result.asks.values())
-    assert "the greatest estimated error is inf times as large" in result.notes[0]
+    assert "a second run of the case, and that one failed or went another way" in result.notes[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 from .. import _layout as layout
@@ -55,7 +56,12 @@ def notes_of(
             f"on the two sides of what was found {', '.join(sided)} differ{'s' if len(sided) == 1 else ''}: "
             "answered is the side on which the conditions of [find] hold, or else that of the lower parameter"
         )
-    if excess is not None and excess > 1:
+    if excess is not None and math.isinf(excess):
+        notes.append(
+            "solve.accuracy may not be reached: errors are taken from a second run of the case, and that one "
+            "failed or went another way"
+        )
+    elif excess is not None and excess > 1:
         notes.append(
             f"solve.accuracy was not reached: the greatest estimated error is {excess:.2g} times as large"
         )
