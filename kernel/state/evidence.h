@@ -102,6 +102,7 @@ typedef struct pm_closest {
     double margin;
     const pm_evidence_decision *decision; /* NULL where no log has it */
     int trigger;                          /* then: that comes so close to firing, or PM_NONE */
+    double parted;                        /* s, of the first instant at which two passes decided differently; 0: of none */
 } pm_closest;
 
 /* Nothing is known of the errors and decisions of the run that begins. */

@@ -112,7 +112,7 @@ static void swap(pm_pass **a, pm_pass **b)
 static int find_coarse(pm_workspace *w, const double *param)
 {
     pm_accuracy *e = w->accuracy;
-    e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
+    e->closest = (pm_closest){INFINITY, NULL, PM_NONE, 0};
     if (knows_itself(w)) {
         memcpy(e->other->out, e->main->out, (size_t)w->model->nout * sizeof(double));
         e->closest = pm_path_error_margin(w->model, e->main, e->size.trigger);
@@ -212,7 +212,7 @@ static int judge_beside_before(pm_workspace *w, double *error, double *trust)
         return 0;
     swap(&e->other, &e->spare);
     e->before = e->other;
-    e->closest = (pm_closest){INFINITY, NULL, PM_NONE};
+    e->closest = (pm_closest){INFINITY, NULL, PM_NONE, 0};
     if (pm_judge_goes_with_tolerance(w)) {
         pm_judge(w, error, trust);
         if (trust[PM_TRUST_MARGIN] >= 1) return 1;

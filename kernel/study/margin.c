@@ -92,15 +92,29 @@ static pm_closest closer(pm_closest x, const pm_evidence_log *a, int i, const pm
 {
     const double margin = margin_of(&a->entry[i], &b->entry[j], trigger_scale);
     if (!(margin < x.margin) || are_other_instants(a, i, b, j)) return x;
-    return (pm_closest){margin, &a->entry[i], PM_NONE};
+    return (pm_closest){margin, &a->entry[i], PM_NONE, x.parted};
+}
+
+/* The instant before that of entry i, s: the histories there tell what came of it. */
+static double time_before(const pm_evidence_log *log, int i)
+{
+    const int32_t instant = log->entry[i].instant;
+    while (i > 0 && log->entry[i].instant == instant) i--;
+    return log->entry[i].instant < instant ? log->entry[i].t : 0;
+}
+
+static int have_parted(const pm_evidence_decision *x, const pm_evidence_decision *y)
+{
+    return x->instant == y->instant && x->history != y->history;
 }
 
 pm_closest pm_margin_of_logs(const pm_evidence_log *a, const pm_evidence_log *b, const double *trigger_scale)
 {
     const int32_t stride = a->stride > b->stride ? a->stride : b->stride;
-    pm_closest closest = {INFINITY, NULL, PM_NONE};
+    pm_closest closest = {INFINITY, NULL, PM_NONE, 0};
     for (int i = 0, j = 0; i < a->n && j < b->n;) {
         const pm_evidence_decision *x = &a->entry[i], *y = &b->entry[j];
+        if (closest.parted == 0 && have_parted(x, y)) closest.parted = time_before(a, i);
         if (!pm_evidence_is_kept(x->instant, stride)) {
             i++;
         } else if (!pm_evidence_is_kept(y->instant, stride)) {
@@ -142,8 +156,9 @@ static int is_unseen(const pm_pass *p) { return !isnan(p->unseen.t); }
 double pm_margin_judge(pm_accuracy *e, double share)
 {
     const pm_pass *a = e->main, *b = e->other;
-    if (a->outcome != b->outcome || is_tied(a) || is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;
     pm_closest closest = pm_margin_of_logs(&a->log, &b->log, e->size.trigger);
+    e->closest.parted = closest.parted;
+    if (a->outcome != b->outcome || is_tied(a) || is_tied(b) || is_unseen(a) || is_unseen(b)) return 0;
     closest.margin /= share;
     if (closest.margin < e->closest.margin) e->closest = closest;
     return fmin(e->closest.margin, a->margin);
@@ -180,7 +195,8 @@ void pm_margin_undecided(const pm_model *model, pm_accuracy *e, double margin)
     else if (e->other->status != PM_OK) {
         p->where = (pm_where){e->other->where.table, e->other->where.row, PM_DECISION_ENDS, 0, 0};
         t = e->other->t;
-    }
+    } else if (e->closest.parted > 0)
+        t = e->closest.parted;
     p->where.value = margin;
     p->where.bound = 1;
     if (!isnan(t)) p->t = t;

@@ -186,4 +186,10 @@ FAULTS = [
         "if (e->main->count[PM_COUNT_JUMPS] > 0) return 0;",
         "",
     ),
+    Fault(
+        "margin: passes part where their histories first differ",
+        "study/margin.c",
+        "closest.parted = time_before(a, i);",
+        "closest.parted = x->t;",
+    ),
 ]

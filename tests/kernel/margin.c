@@ -60,7 +60,7 @@ static void other_ended(void)
     memset(&e, 0, sizeof e);
     e.main = &e.pass[0];
     e.other = &e.pass[1];
-    e.closest = (pm_closest){INFINITY, NULL, PM_NONE};
+    e.closest = (pm_closest){INFINITY, NULL, PM_NONE, 0};
     e.main->tied = e.other->tied = e.main->unseen.t = e.other->unseen.t = NAN;
     e.main->outcome = 1;
     e.other->status = PM_BOUNCES_ON;
@@ -75,8 +75,36 @@ static void other_ended(void)
     NEAR(e.main->t, 7, 0);
 }
 
+/* Where two passes differ in what came of an instant, the answer says when that was: the last one before histories differ. */
+static void decided_otherwise(void)
+{
+    pm_evidence_decision x[3], y[3];
+    for (int i = 0; i < 3; i++) {
+        (void)log_of(&x[i], 3, 0);
+        (void)log_of(&y[i], 3.1, 0);
+        x[i].instant = y[i].instant = i;
+        x[i].t = y[i].t = 2 * i + 1;
+    }
+    x[2].history = 8;
+    const pm_evidence_log a = {.entry = x, .n = 3, .room = 3, .stride = 1},
+                          b = {.entry = y, .n = 3, .room = 3, .stride = 1};
+    NEAR(pm_margin_of_logs(&a, &b, NULL).parted, 3, 0);
+    y[2].history = 8;
+    EQUAL(pm_margin_of_logs(&a, &b, NULL).parted, 0);
+    pm_accuracy e;
+    memset(&e, 0, sizeof e);
+    e.main = &e.pass[0];
+    e.other = &e.pass[1];
+    e.closest = (pm_closest){INFINITY, NULL, PM_NONE, 3};
+    e.main->tied = e.other->tied = e.main->unseen.t = e.other->unseen.t = NAN;
+    pm_margin_undecided(NULL, &e, 0);
+    EQUAL(e.main->where.member, PM_DECISION_OUTCOME);
+    NEAR(e.main->t, 3, 0);
+}
+
 int main(void)
 {
+    decided_otherwise();
     beside_touching();
     other_modes_tried();
     other_ended();

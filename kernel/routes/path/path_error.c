@@ -224,7 +224,7 @@ pm_closest pm_path_error_margin(const pm_model *model, const pm_pass *pass, cons
 {
     const int ntrigger = model->rows[PM_TABLE_TRIGGER];
     const double relative = fmax(pass->relative, DBL_EPSILON);
-    pm_closest closest = {INFINITY, NULL, PM_NONE};
+    pm_closest closest = {INFINITY, NULL, PM_NONE, 0};
     for (int i = 0; i < pass->log.n; i++) {
         const pm_evidence_decision *x = &pass->log.entry[i];
         const int by_energy = goes_with_energy(model, x);
@@ -232,13 +232,13 @@ pm_closest pm_path_error_margin(const pm_model *model, const pm_pass *pass, cons
         const double unit = x->unit * (x->trigger == PM_NONE ? 1 : trigger_scale[x->trigger]);
         const double margin = fabs(x->distance) / ((by_energy ? unit * relative : 0) + x->error);
         if (pm_evidence_is_open(x, unit) && margin < closest.margin)
-            closest = (pm_closest){margin, x, PM_NONE};
+            closest = (pm_closest){margin, x, PM_NONE, 0};
     }
     for (int i = 0; i < ntrigger; i++) {
         const pm_evidence_decision x = {.reach = pass->extreme[ntrigger + i]};
         if (isinf(pass->extreme[i]) || !pm_evidence_is_open(&x, trigger_scale[i])) continue;
         const double margin = pass->extreme[i] / (trigger_scale[i] * relative);
-        if (margin < closest.margin) closest = (pm_closest){margin, NULL, i};
+        if (margin < closest.margin) closest = (pm_closest){margin, NULL, i, 0};
     }
     return closest;
 }
