@@ -142,4 +142,10 @@ FAULTS = [
         "(lost ? PM_IDA_LOST : PM_IDA_NEAR_SINGULAR)",
         "0",
     ),
+    Fault(
+        "rounding: places of marks are exact",
+        "routes/ida/ida_rounding.c",
+        "double open = of_sum(m, c, x->own) + of_marks(c);",
+        "double open = of_sum(m, c, x->own);",
+    ),
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 
@@ -134,3 +135,26 @@ ask.x = "P.x"
     result = planemotion.load_text(text).run(**{"solve.route": route, "solve.max_steps": 5000})
     assert result.status == "ok", result.error
     assert result.x == pytest.approx(5.621146342503826, rel=1e-9)
+
+
+def test_a_yo_yo_may_hang_from_far_above() -> None:
+    """Its cord is long: rounding of the point that it hangs from exceeds that of all that moves."""
+    draw = random.Random(7)
+    for _ in range(20):
+        radius, drop, away = (
+            math.exp(draw.uniform(*map(math.log, ends))) for ends in ((0.01, 0.5), (0.1, 5), (6, 50))
+        )
+        found = planemotion.load_text(
+            f"""
+            until = "b.moved.y < -({drop!r} m)"
+            ground.points.P = ["-{radius!r} m", "{away!r} m"]
+            bodies.b = {{ disk = "{radius!r} m", mass = "1 kg", at = [0, 0] }}
+            couplings.c = {{ cord = ["ground.P", "b.rim ccw"] }}
+            ask.v = "b.speed"
+            ask.T = "c.tension"
+            solve = {{ route = "ida", accuracy = 1e-12 }}
+            """
+        ).run()
+        assert found.status == "ok"
+        assert found["v"] == pytest.approx(math.sqrt(4 / 3 * G * drop), rel=2e-13)
+        assert found["T"] == pytest.approx(G / 3, rel=2e-13)

@@ -39,6 +39,12 @@ static double of_sum(const pm_model *m, const pm_constraint *c, const double *ro
     return sum;
 }
 
+/* Of the places of its marks, which may lie far from all that moves. */
+static double of_marks(const pm_constraint *c)
+{
+    return PM_EPSILON * (fabs(c->a[0]) + fabs(c->a[1]) + fabs(c->b[0]) + fabs(c->b[1]));
+}
+
 /* What a reaction of that size makes of x[nq], added. */
 static void pass_on(const pm_frame *frame, const pm_constraint *c, double reaction, double *rounding)
 {
@@ -106,7 +112,7 @@ void pm_ida_rounding_find(pm_workspace *w, const double *y, const double *slope)
     for (int i = 0; i < w->active.n; i++) {
         const pm_constraint *c = &w->active.constraint[i];
         const double square = pm_constraint_square(&w->frame, c);
-        double open = of_sum(m, c, x->own);
+        double open = of_sum(m, c, x->own) + of_marks(c);
         double slip = of_sum(m, c, x->own + nq);
         if (c->drive != PM_NONE) {
             const double *driven = drive(w, i);
