@@ -1,5 +1,5 @@
-/* Forces that switch by the motion: against closed forms, where a place is passed, a speed changes sign, a blow reverses it, from
- * rest on a switch, and where a switch holds the motion; and forces along a line by programs. */
+/* Forces that switch by the motion: against closed forms, where a place is passed, regions however thin, a speed changes sign, a blow
+ * reverses it, from rest on a switch, and where a switch holds the motion; and forces along a line by programs. */
 #include "check.h"
 #include "scene.h"
 #include "state/workspace.h"
@@ -74,6 +74,45 @@ static void drag(double up, int route)
                            scene_op(PM_OP_SUB), scene_op(PM_OP_MUL), scene_op(PM_OP_SUB)));
     const double top = atan(up / last) / rate, height = log(1 + up * up / (last * last)) / (2 * c);
     ends_at(&p, t, height - log(cosh(rate * (t - top))) / c, -last * tanh(rate * (t - top)), 1e-9);
+}
+
+/* The same thrown so fast, through air so thin, that at the top a rounding of the time is one of the speed. */
+static void thin_air(int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double c = pow(10, check_random(-3, -1)), last = sqrt(G / c), up = last * check_random(4, 40);
+        particle p = particle_at(0, up, route);
+        const scene_code v = scene_m(p.speed), side = scene_m(scene_side(p.s, scene_read(p.s, p.speed)));
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -G), scene_k(p.s, c), v, scene_op(PM_OP_MUL), v,
+                               scene_op(PM_OP_MUL), side, scene_k(p.s, 2), scene_op(PM_OP_MUL),
+                               scene_k(p.s, 1), scene_op(PM_OP_SUB), scene_op(PM_OP_MUL),
+                               scene_op(PM_OP_SUB)));
+        const double rate = sqrt(G * c), top = atan(up / last) / rate, t = top + 0.5 / rate;
+        const double height = log(1 + up * up / (last * last)) / (2 * c);
+        scene_until_time(p.s, t);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        NEAR(p.s->out[p.out_place], height - log(cosh(0.5)) / c, 1e-8 * height);
+        NEAR(p.s->out[p.out_speed], -last * tanh(0.5), 1e-8 * last);
+        scene_free(p.s);
+    }
+}
+
+/* A force over a width of 1 m that is next to nothing: it does its work, or throws the particle back from within. */
+static void thin_region(double thinnest, int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double width = pow(10, check_random(thinnest, -1)), end = 1 + width, v = check_random(0.5, 20);
+        const double gain = check_random(0, 1) < 0.5 ? -check_random(1.2, 4) : check_random(-0.8, 3);
+        particle p = particle_at(0, v, route);
+        const int from = scene_side(p.s, scene_minus(p.s, p.place, 1)),
+                  to = scene_side(p.s, scene_minus(p.s, p.place, end));
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, gain * v * v / 2 / (end - 1)), scene_m(from), scene_m(to),
+                               scene_op(PM_OP_SUB), scene_op(PM_OP_MUL)));
+        scene_until_time(p.s, 1.5 / v);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        NEAR(p.s->out[p.out_speed], gain < -1 ? -v : v * sqrt(1 + gain), (1e-7 + 1e-15 / width) * v);
+        scene_free(p.s);
+    }
 }
 
 /* Falls by 2 m/s^2, is thrown back by an elastic blow, and rises against 6 m/s^2. */
@@ -187,6 +226,8 @@ int main(void)
         a_place(route[i]);
         drag(0, route[i]);
         drag(7, route[i]);
+        thin_air(route[i]);
+        thin_region(i == 0 ? -10 : -7, route[i]);
         a_blow(route[i]);
         held(route[i]);
         line(0, route[i]);
