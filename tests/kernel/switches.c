@@ -115,6 +115,34 @@ static void thin_region(double thinnest, int route)
     }
 }
 
+/* At rest for a long time, then F, and -F beyond a place: there, and back to where it came from; places are passed within fewer digits
+ * than they have, since the time has few. */
+static void late(double quarters, int route)
+{
+    const double begin = 900, force = 1e7, quarter = sqrt(1 / force), v = force * quarter;
+    particle p = particle_at(0, 0, route);
+    const int side = scene_side(p.s, scene_minus(p.s, p.place, 0.5));
+    const scene_code time = scene_m(scene_time(p.s));
+    scene_when(p.s, PM_TRIGGER_RISE, scene_minus(p.s, scene_time(p.s), begin));
+    push(&p, SCENE_PROGRAM(p.s, time, scene_k(p.s, begin), scene_op(PM_OP_GE), scene_k(p.s, force),
+                           scene_op(PM_OP_MUL), scene_m(side), scene_k(p.s, -2 * force), scene_op(PM_OP_MUL),
+                           scene_op(PM_OP_ADD)));
+    const double from_top = quarters - 2, u = quarters < 3 ? from_top : 4 - quarters; /* of a quarter */
+    ends_at(&p, begin + quarters * quarter, quarters < 3 ? 1 - 0.5 * u * u : 0.5 * u * u, -v * u, 1e-6 * v);
+}
+
+/* Thrown over a switch by no more than rounding, and back: by the force of the other side, not by 4 N. */
+static void turned_back(int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        particle p = particle_at(0, pow(10, check_random(-14, -9)), route);
+        const int side = scene_side(p.s, scene_read(p.s, p.place));
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -1), scene_m(side), scene_k(p.s, 3), scene_op(PM_OP_MUL),
+                               scene_op(PM_OP_SUB)));
+        ends_at(&p, 1, -0.5, -1, 1e-8);
+    }
+}
+
 /* Falls by 2 m/s^2, is thrown back by an elastic blow, and rises against 6 m/s^2. */
 static void a_blow(int route)
 {
@@ -222,11 +250,14 @@ static void a_belt(int rough, double back, int route)
 int main(void)
 {
     static const int route[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
+    late(2.5, PM_ROUTE_RK); /* IDA takes no steps that are so short beside the time */
+    late(3.5, PM_ROUTE_RK);
     for (int i = 0; i < 2; i++) {
         a_place(route[i]);
         drag(0, route[i]);
         drag(7, route[i]);
         thin_air(route[i]);
+        turned_back(route[i]);
         thin_region(i == 0 ? -10 : -7, route[i]);
         a_blow(route[i]);
         held(route[i]);
