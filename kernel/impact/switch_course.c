@@ -63,12 +63,12 @@ static double scattered(pm_workspace *w, int program, int pattern)
 pm_switch_course pm_switch_course_begin(pm_workspace *w, int program)
 {
     const int level = w->frame.level;
-    pm_switch_course x = {program, pm_program_run(w, program), 0};
+    pm_switch_course x = {program, pm_program_run(w, program), 0, 0};
     for (int pattern = 0; pattern < PM_SWITCH_PATTERNS; pattern++) {
         const double change = fabs(scattered(w, program, pattern) - x.here);
-        if (isfinite(change)) x.rounding = pm_max(change, x.rounding);
+        if (isfinite(change)) x.scale = pm_max(change / PM_SWITCH_LOOK, x.scale);
     }
-    x.rounding *= PM_SWITCH_ROUNDINGS * PM_EPSILON / PM_SWITCH_LOOK;
+    x.rounding = PM_SWITCH_ROUNDINGS * PM_EPSILON * x.scale;
     look_back(w, level);
     return x;
 }

@@ -8,7 +8,8 @@
 typedef struct pm_switch_course {
     int program;
     double here;     /* its value */
-    double rounding; /* what that of places and velocities makes of it */
+    double scale;    /* what all of the places and velocities, and of what is natural, make of it */
+    double rounding; /* what their rounding does */
 } pm_switch_course;
 
 /* The frame looks at w->state. */

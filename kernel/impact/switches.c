@@ -67,6 +67,20 @@ static double from_end(const pm_piecewise *p, double piece, double x)
     return fmin(fabs(x - pm_piecewise_begin(p, piece)), fabs(x - pm_piecewise_begin(p, piece + 1)));
 }
 
+static int reaches(const pm_piecewise *p, double piece, double x, int way, double nothing)
+{
+    return way > 0 ? pm_piecewise_begin(p, piece + 1) - x <= nothing : x - pm_piecewise_begin(p, piece) <= nothing;
+}
+
+/* The piece that goes on from x; those that are next to nothing are passed. */
+static double piece_ahead(const pm_piecewise *p, double x, int way, double nothing, double present)
+{
+    double piece = pm_piecewise_number_ahead(p, x, way, nothing, present);
+    int many = p->pieces;
+    while (way != 0 && many-- > 0 && reaches(p, piece, x, way, nothing)) piece += way;
+    return piece;
+}
+
 /* The piece of a table into which the motion leads: what tables give is continuous, or jumps at a place alone.  What was found at
  * the end of a piece is there, however time is rounded. */
 static int settle_piece(pm_workspace *w, int reading, int located, int goes_on)
@@ -76,11 +90,11 @@ static int settle_piece(pm_workspace *w, int reading, int located, int goes_on)
     double *piece = &w->firing.side[e[PM_READING_EVENT]], before = *piece;
     const pm_switch_course x = pm_switch_course_begin(w, e[PM_READING_PROGRAM]);
     const int found = found_as(w, e[PM_READING_EVENT], located) != PM_NONE;
-    const double nothing = found ? fmax(x.rounding, from_end(&p, before, x.here)) : x.rounding;
-    const int at_end = pm_piecewise_number_ahead(&p, x.here, 1, nothing, before) !=
-                       pm_piecewise_number_ahead(&p, x.here, -1, nothing, before);
+    const double end = found ? from_end(&p, before, x.here) : 0, nothing = fmax(PM_PIECE_NOTHING * x.scale, end);
+    const int at_end =
+        piece_ahead(&p, x.here, 1, nothing, before) != piece_ahead(&p, x.here, -1, nothing, before);
     const int way = at_end ? pm_switch_course_way(w, &x) : 0;
-    const double there = pm_piecewise_number_ahead(&p, x.here, way, nothing, before);
+    const double there = piece_ahead(&p, x.here, way, nothing, before);
     if (!goes_on && p.beyond == PM_BEYOND_NONE && (there < 0 || there >= p.pieces)) return PM_OK;
     *piece = there;
     return *piece == before ? PM_OK : pm_saddle_accelerate(w);

@@ -50,6 +50,7 @@
 #define PM_SWITCH_FARTHER 1e4 /* times as far apart; larger: a derivative is that of other places, smaller: slow bodies beside fast ones have none */
 #define PM_SWITCH_ROUNDINGS 16 /* of places and velocities, and what they make of a switch's argument: on zero; larger: thin regions of force are passed over, smaller: rounding leaves a switch on its old side */
 #define PM_SWITCH_PATTERNS 2 /* signs with which places are shifted to see that; more: slower, fewer: shifts may cancel */
+#define PM_PIECE_NOTHING 4e-12 /* of what a table is read at: a piece so short is passed; larger: what it does is left out, smaller: its end is not found */
 #define PM_SWITCH_AGAIN 1e-7 /* of the time size / speed: a force that switches again within it does so at once; larger: fast vibrations through a switch end the run */
 #define PM_SWITCHES_AT_ONCE 1000 /* so many running: the motion cannot leave the switch; more: that is told later */
 #define PM_BLOWS_AT_ONCE 10000 /* blows at one instant, each smaller than the one before; more: an endless series ends later */

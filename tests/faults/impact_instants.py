@@ -203,8 +203,8 @@ FAULTS = [
     Fault(
         "switch: what is passed soon is on zero",
         "impact/switch_course.c",
-        "x.rounding *= PM_SWITCH_ROUNDINGS * PM_EPSILON / PM_SWITCH_LOOK;",
-        "",
+        "x.rounding = PM_SWITCH_ROUNDINGS * PM_EPSILON * x.scale;",
+        "x.rounding = PM_SWITCH_LOOK * x.scale;",
     ),
     Fault(
         "switch: the force of a place enters the rate with which it is passed",
@@ -229,6 +229,12 @@ FAULTS = [
         "impact/switches.c",
         "*piece = there;",
         "(void)there;",
+    ),
+    Fault(
+        "tables: a piece that is next to nothing is entered",
+        "impact/switches.c",
+        "while (way != 0 && many-- > 0 &&",
+        "while (way != 0 && many-- > p->pieces &&",
     ),
     Fault(
         "tables: a run goes on beyond the end",

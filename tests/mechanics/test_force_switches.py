@@ -87,6 +87,23 @@ def test_a_force_that_turns_a_body_back_at_once(seed: int, route: str) -> None:
         close(text, route, {"v": -speed}, 1e-7 + 1e-15 / depth)
 
 
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("width", [1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13])
+def test_a_table_that_is_nearly_a_step(width: float, route: str) -> None:
+    """Energy tells the speed at 4 m: the ramp from 0 to 2 N counts half."""
+    knot = 1 + width
+    text = f"""
+    until = "b.x = 4 m"
+    plane = "horizontal"
+    tables.f = {{ at = ["0 m", "1 m", "{knot!r} m", "9 m"], value = ["0 N", "0 N", "2 N", "2 N"] }}
+    bodies.b = {{ mass = "1 kg", at = [0, 0] }}
+    start.b.velocity = ["1 m/s", 0]
+    forces.d = {{ force = "b", value = ["f(b.x)", 0] }}
+    ask.v = "b.velocity.x"
+    """
+    close(text, route, {"v": math.sqrt(1 + 2 * ((knot - 1) + 2 * (4 - knot)))}, 1e-9)
+
+
 # How deep a body is below y = 0, per m.
 DEPTHS = ("max(-b.y/(1 m), 0)", "(abs(b.y) - b.y)/(2 m)", "(-min(b.y, 0 m)/(1 m))")
 
