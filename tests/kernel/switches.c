@@ -195,6 +195,23 @@ static void line(int program, int route)
     scene_free(p.s);
 }
 
+/* -k sqrt(y) beyond 0, a root that begins and ends there: out with the speed it came with. */
+static void a_root(int route)
+{
+    for (int i = 0; i < CASES / 4; i++) {
+        const double k = pow(10, check_random(0, 3)), v = check_random(0.5, 5), whole = 1.5 * 0.5 * v * v / k;
+        const double turn = pow(whole, 2.0 / 3), part = tgamma(5.0 / 3) * tgamma(0.5) / tgamma(7.0 / 6);
+        particle p = particle_at(-0.5, v, route);
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -k), scene_m(p.place), scene_k(p.s, 0), scene_op(PM_OP_MAX),
+                               scene_op(PM_OP_SQRT), scene_op(PM_OP_MUL)));
+        scene_until_time(p.s, 1 / v + 2 * turn / v * part);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        NEAR(p.s->out[p.out_speed], -v, 1e-6 * v);
+        NEAR(p.s->out[p.out_place], -0.5, 1e-6);
+        scene_free(p.s);
+    }
+}
+
 /* A force F / cosh^2(y - knot / width), narrow beside the way of a step: its work tells the speed. */
 static void a_peak(int route)
 {
@@ -264,6 +281,7 @@ int main(void)
         line(0, route[i]);
         line(1, route[i]);
         a_peak(route[i]);
+        a_root(route[i]);
         for (int rough = 0; rough < 2; rough++) {
             a_belt(rough, 1, route[i]);
             a_belt(rough, 0.35, route[i]);
