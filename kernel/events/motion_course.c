@@ -138,11 +138,13 @@ static int are_shown(const pm_workspace *w)
     return 1;
 }
 
-/* How much of the step is shown; all of it where not even a short part is: at a pole or a corner the error of the step tells. */
+/* How much of the step is shown; all of it where not even a short part is: at a pole or a corner, or where a root begins, the error
+ * of the step tells. */
 static double part_shown(pm_workspace *w, const pm_state *begin)
 {
+    const double least = PM_MOTION_LEAST * w->numbers.size / w->numbers.speed, length = w->state.t - begin->t;
     double part = 1;
-    for (int i = 0; i < PM_MOTION_HALVINGS; i++, part *= 0.5) {
+    for (int i = 0; i < PM_MOTION_HALVINGS && part * length > least; i++, part *= 0.5) {
         sample(w, begin, part);
         if (are_shown(w)) return part;
     }

@@ -316,7 +316,7 @@ int pm_instant_full(pm_workspace *w, int *ended)
     if (!status && looks_at_accelerations(w)) status = pm_saddle_accelerate(w);
     if (!status) status = pm_meeting_reach(w);
     if (!status) status = pm_switches_check(w);
-    if (!status) status = pm_switches_settle(w, 0);
+    if (!status) status = pm_switches_reach(w);
     if (!status) status = pm_event_check_strands(w);
     if (!status) status = pm_track_check(w);
     if (!status && w->step.reverses) status = mark_reversal(w);

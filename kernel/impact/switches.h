@@ -9,9 +9,11 @@
 
 /* The run begins at w->state; the frame looks at it. */
 void pm_switches_begin(pm_workspace *w);
-/* Both return PM_ALTERNATES, where = event.  At an instant: a force has switched to and fro again and again while no time
+/* All return PM_ALTERNATES, where = event.  At an instant: a force has switched to and fro again and again while no time
  * passed. */
 int pm_switches_check(pm_workspace *w);
+/* Sides of the switches that were found on zero in the last step, before anything jumps; as pm_switches_settle. */
+int pm_switches_reach(pm_workspace *w);
 /* Sides of the switches that are on zero, by the motion that begins there; the frame looks at w->state (DYNAMIC), also
  * afterwards.  A force pushes back to its switch from either side.  Pieces of tables likewise; the last
  * piece is left where the motion goes on from here. */

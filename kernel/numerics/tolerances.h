@@ -182,6 +182,7 @@
 #define PM_HISTORY_PARTING 0.4 /* of a stretch between two rows of a history: off the middle, where a chord may cross; less: a worse look */
 #define PM_HISTORY_SAFETY 2.0 /* times what a chord misses there: it misses more elsewhere; larger: more rows, less: bends are passed */
 #define PM_HISTORY_PARTINGS 10 /* of a stretch between two nodes, at a corner or a jump; more: rows nearer to it */
+#define PM_MOTION_LEAST 1e-9 /* of the time size / speed: what is not shown over less is left to the error of the step; larger: narrow peaks in space are passed over, smaller: steps become none where a root begins */
 #define PM_MOTION_HALVINGS 30 /* of a step, until its samples tell forces that read the motion; fewer: narrow peaks are met unprepared */
 #define PM_MOTION_GROW 4.0 /* times a step whose samples show them: the longest next one; larger: cut more often */
 #define PM_MOTION_CUT 1e-9 /* of a measure's change in a step: waves so small are rounding; larger: narrow peaks are missed, less: rounding makes steps short */

@@ -42,8 +42,15 @@
 #define PM_LET_GO_AT_ONCE 20 /* likewise where the load of a rough contact vanishes; larger: it is told later, smaller: a load that is rounding once ends a run */
 #define PM_AT_ONCE 1e-14 /* of the time: so much is none; larger: short phases are none */
 #define PM_DRIVE_SAME 1e-11 /* of the scene's size: a prescribed place that changes by less at an instant does not jump; larger: small steps are passed over */
-#define PM_SWITCH_LOOK 1e-4 /* of the time size / speed: so far ahead a look tells to which side a switch is left; larger: it may turn back */
-#define PM_SWITCH_ON_ZERO 1e-7 /* of what it changes by in that look: on zero; larger: a switch that is passed soon is on zero */
+#define PM_FOOT_LOOK 1e-4 /* of the time size / speed: so far ahead a look tells into which piece of a curve a foot goes; larger: it may turn back */
+#define PM_FOOT_ON_END 1e-7 /* of what it changes by in that look: at the end of a piece; larger: an end that is passed soon is reached */
+#define PM_SWITCH_LOOK 1e-7 /* of the scene's size and speed: so far apart are states whose difference is a derivative of a switch's argument; larger: it is that of other places, smaller: rounding */
+#define PM_SWITCH_BEND 1e-5 /* of the scene's size: likewise of a second derivative; likewise */
+#define PM_SWITCH_LOOKS 3 /* differences, each PM_SWITCH_FARTHER times as far apart: one shows the derivative; more: one that is zero takes longer */
+#define PM_SWITCH_FARTHER 1e4 /* times as far apart; larger: a derivative is that of other places, smaller: slow bodies beside fast ones have none */
+#define PM_SWITCH_ROUNDINGS 16 /* of places and velocities, and what they make of a switch's argument: on zero; larger: thin regions of force are passed over, smaller: rounding leaves a switch on its old side */
+#define PM_SWITCH_PATTERNS 2 /* signs with which places are shifted to see that; more: slower, fewer: shifts may cancel */
+#define PM_PIECE_NOTHING 4e-12 /* of what a table is read at: a piece so short is passed; larger: what it does is left out, smaller: its end is not found */
 #define PM_SWITCH_AGAIN 1e-7 /* of the time size / speed: a force that switches again within it does so at once; larger: fast vibrations through a switch end the run */
 #define PM_SWITCHES_AT_ONCE 1000 /* so many running: the motion cannot leave the switch; more: that is told later */
 #define PM_BLOWS_AT_ONCE 10000 /* blows at one instant, each smaller than the one before; more: an endless series ends later */

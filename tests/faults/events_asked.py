@@ -250,6 +250,12 @@ FAULTS = [
         "return shown;",
     ),
     Fault(
+        "motion: steps become none where a root begins",
+        "events/motion_course.c",
+        "&& part * length > least;",
+        "&& part * length > 0 * least;",
+    ),
+    Fault(
         "motion: a peak of a force between samples",
         "events/motion_course.c",
         "if (!pm_shown_between(&x, 0, 1)) return 0;",

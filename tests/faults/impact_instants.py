@@ -185,14 +185,38 @@ FAULTS = [
     Fault(
         "switch: one that is left from zero keeps its side",
         "impact/switches.c",
-        "if (side_of(ahead) == w->firing.side[event]) return PM_OK;",
+        "if (way == 0 || (way > 0) == side) return PM_OK;",
         "return PM_OK;",
     ),
     Fault(
         "switch: a force that holds the motion is let go on",
         "impact/switches.c",
-        "if (side_of(otherwise) == w->firing.side[event] || otherwise == here) return PM_OK;",
+        "if (way == 0 || (way > 0) != side) return PM_OK;",
         "return PM_OK;",
+    ),
+    Fault(
+        "switch: one that was found on zero is beside it by rounding",
+        "impact/switches.c",
+        "if (kind == PM_NONE && !(fabs(x.here) <= x.rounding)) return PM_OK;",
+        "if (!(fabs(x.here) <= x.rounding)) return PM_OK;",
+    ),
+    Fault(
+        "switch: what is passed soon is on zero",
+        "impact/switch_course.c",
+        "x.rounding = PM_SWITCH_ROUNDINGS * PM_EPSILON * x.scale;",
+        "x.rounding = PM_SWITCH_LOOK * x.scale;",
+    ),
+    Fault(
+        "switch: the force of a place enters the rate with which it is passed",
+        "impact/switch_course.c",
+        "{.along = 1}, PM_SWITCH_LOOK * pass)",
+        "{.along = 1, .bent = 1}, PM_SWITCH_LOOK * pass)",
+    ),
+    Fault(
+        "switch: a way that turns back within rounding is gone",
+        "impact/switch_course.c",
+        "return r.first == 0 || turns ?",
+        "return (void)turns, r.first == 0 ?",
     ),
     Fault(
         "switch: a blow does not change sides",
@@ -205,6 +229,12 @@ FAULTS = [
         "impact/switches.c",
         "*piece = there;",
         "(void)there;",
+    ),
+    Fault(
+        "tables: a piece that is next to nothing is entered",
+        "impact/switches.c",
+        "while (way != 0 && many-- > 0 &&",
+        "while (way != 0 && many-- > p->pieces &&",
     ),
     Fault(
         "tables: a run goes on beyond the end",

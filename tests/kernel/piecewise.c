@@ -171,7 +171,19 @@ static void a_spike_of_place(int route)
     }
 }
 
-/* The same in time gives it as momentum. */
+/* A step, but for a ramp that may be less than a step of the run can tell. */
+static void nearly_a_step(int route)
+{
+    for (double width = 1e-2; width > 1e-14; width *= 0.1) {
+        const double force = check_random(-0.1, 2), v = check_random(1, 2), end = 1 + width;
+        const double knot[4] = {-1, 1, end, 9}, value[4] = {0, 0, force, force};
+        particle p = particle_with(v, route);
+        push(&p, read_by_piece(p.s, scene_lines(p.s, 4, knot, value, PM_BEYOND_NONE), p.place));
+        ends_at_place(&p, 3, sqrt(v * v + force * (end - 1) + 2 * force * (3 - end)), 1e-8);
+    }
+}
+
+/* The area of a spike in time is momentum. */
 static void a_spike_of_time(int route)
 {
     for (double width = 0.5; width > 1e-6; width *= 0.1) {
@@ -264,6 +276,7 @@ int main(void)
     pieces_ahead();
     for (int i = 0; i < 3; i++) {
         a_spike_of_place(routes[i]);
+        nearly_a_step(routes[i]);
         a_spike_of_time(routes[i]);
         a_spring(routes[i]);
         a_table_of_speed(routes[i]);

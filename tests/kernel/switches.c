@@ -1,5 +1,5 @@
-/* Forces that switch by the motion: against closed forms, where a place is passed, a speed changes sign, a blow reverses it, from
- * rest on a switch, and where a switch holds the motion; and forces along a line by programs. */
+/* Forces that switch by the motion: against closed forms, where a place is passed, regions however thin, a speed changes sign, a blow
+ * reverses it, from rest on a switch, and where a switch holds the motion; and forces along a line by programs. */
 #include "check.h"
 #include "scene.h"
 #include "state/workspace.h"
@@ -76,6 +76,73 @@ static void drag(double up, int route)
     ends_at(&p, t, height - log(cosh(rate * (t - top))) / c, -last * tanh(rate * (t - top)), 1e-9);
 }
 
+/* The same thrown so fast, through air so thin, that at the top a rounding of the time is one of the speed. */
+static void thin_air(int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double c = pow(10, check_random(-3, -1)), last = sqrt(G / c), up = last * check_random(4, 40);
+        particle p = particle_at(0, up, route);
+        const scene_code v = scene_m(p.speed), side = scene_m(scene_side(p.s, scene_read(p.s, p.speed)));
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -G), scene_k(p.s, c), v, scene_op(PM_OP_MUL), v,
+                               scene_op(PM_OP_MUL), side, scene_k(p.s, 2), scene_op(PM_OP_MUL),
+                               scene_k(p.s, 1), scene_op(PM_OP_SUB), scene_op(PM_OP_MUL),
+                               scene_op(PM_OP_SUB)));
+        const double rate = sqrt(G * c), top = atan(up / last) / rate, t = top + 0.5 / rate;
+        const double height = log(1 + up * up / (last * last)) / (2 * c);
+        scene_until_time(p.s, t);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        NEAR(p.s->out[p.out_place], height - log(cosh(0.5)) / c, 1e-8 * height);
+        NEAR(p.s->out[p.out_speed], -last * tanh(0.5), 1e-8 * last);
+        scene_free(p.s);
+    }
+}
+
+/* A force over a width of 1 m that is next to nothing: it does its work, or throws the particle back from within. */
+static void thin_region(double thinnest, int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double width = pow(10, check_random(thinnest, -1)), end = 1 + width, v = check_random(0.5, 20);
+        const double gain = check_random(0, 1) < 0.5 ? -check_random(1.2, 4) : check_random(-0.8, 3);
+        particle p = particle_at(0, v, route);
+        const int from = scene_side(p.s, scene_minus(p.s, p.place, 1)),
+                  to = scene_side(p.s, scene_minus(p.s, p.place, end));
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, gain * v * v / 2 / (end - 1)), scene_m(from), scene_m(to),
+                               scene_op(PM_OP_SUB), scene_op(PM_OP_MUL)));
+        scene_until_time(p.s, 1.5 / v);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        NEAR(p.s->out[p.out_speed], gain < -1 ? -v : v * sqrt(1 + gain), (1e-7 + 1e-15 / width) * v);
+        scene_free(p.s);
+    }
+}
+
+/* At rest for a long time, then F, and -F beyond a place: there, and back to where it came from; places are passed within fewer digits
+ * than they have, since the time has few. */
+static void late(double quarters, int route)
+{
+    const double begin = 900, force = 1e7, quarter = sqrt(1 / force), v = force * quarter;
+    particle p = particle_at(0, 0, route);
+    const int side = scene_side(p.s, scene_minus(p.s, p.place, 0.5));
+    const scene_code time = scene_m(scene_time(p.s));
+    scene_when(p.s, PM_TRIGGER_RISE, scene_minus(p.s, scene_time(p.s), begin));
+    push(&p, SCENE_PROGRAM(p.s, time, scene_k(p.s, begin), scene_op(PM_OP_GE), scene_k(p.s, force),
+                           scene_op(PM_OP_MUL), scene_m(side), scene_k(p.s, -2 * force), scene_op(PM_OP_MUL),
+                           scene_op(PM_OP_ADD)));
+    const double from_top = quarters - 2, u = quarters < 3 ? from_top : 4 - quarters; /* of a quarter */
+    ends_at(&p, begin + quarters * quarter, quarters < 3 ? 1 - 0.5 * u * u : 0.5 * u * u, -v * u, 1e-6 * v);
+}
+
+/* Thrown over a switch by no more than rounding, and back: by the force of the other side, not by 4 N. */
+static void turned_back(int route)
+{
+    for (int i = 0; i < CASES; i++) {
+        particle p = particle_at(0, pow(10, check_random(-14, -9)), route);
+        const int side = scene_side(p.s, scene_read(p.s, p.place));
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -1), scene_m(side), scene_k(p.s, 3), scene_op(PM_OP_MUL),
+                               scene_op(PM_OP_SUB)));
+        ends_at(&p, 1, -0.5, -1, 1e-8);
+    }
+}
+
 /* Falls by 2 m/s^2, is thrown back by an elastic blow, and rises against 6 m/s^2. */
 static void a_blow(int route)
 {
@@ -126,6 +193,23 @@ static void line(int program, int route)
     NEAR(p.s->out[p.out_speed], v, 1e-9);
     NEAR(p.s->out[rate], v, 1e-9);
     scene_free(p.s);
+}
+
+/* -k sqrt(y) beyond 0, a root that begins and ends there: out with the speed it came with. */
+static void a_root(int route)
+{
+    for (int i = 0; i < CASES / 4; i++) {
+        const double k = pow(10, check_random(0, 3)), v = check_random(0.5, 5), whole = 1.5 * 0.5 * v * v / k;
+        const double turn = pow(whole, 2.0 / 3), part = tgamma(5.0 / 3) * tgamma(0.5) / tgamma(7.0 / 6);
+        particle p = particle_at(-0.5, v, route);
+        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -k), scene_m(p.place), scene_k(p.s, 0), scene_op(PM_OP_MAX),
+                               scene_op(PM_OP_SQRT), scene_op(PM_OP_MUL)));
+        scene_until_time(p.s, 1 / v + 2 * turn / v * part);
+        EQUAL(scene_run(p.s, NULL), PM_OK);
+        NEAR(p.s->out[p.out_speed], -v, 1e-6 * v);
+        NEAR(p.s->out[p.out_place], -0.5, 1e-6);
+        scene_free(p.s);
+    }
 }
 
 /* A force F / cosh^2(y - knot / width), narrow beside the way of a step: its work tells the speed. */
@@ -183,15 +267,21 @@ static void a_belt(int rough, double back, int route)
 int main(void)
 {
     static const int route[] = {PM_ROUTE_RK, PM_ROUTE_IDA};
+    late(2.5, PM_ROUTE_RK); /* IDA takes no steps that are so short beside the time */
+    late(3.5, PM_ROUTE_RK);
     for (int i = 0; i < 2; i++) {
         a_place(route[i]);
         drag(0, route[i]);
         drag(7, route[i]);
+        thin_air(route[i]);
+        turned_back(route[i]);
+        thin_region(i == 0 ? -10 : -7, route[i]);
         a_blow(route[i]);
         held(route[i]);
         line(0, route[i]);
         line(1, route[i]);
         a_peak(route[i]);
+        a_root(route[i]);
         for (int rough = 0; rough < 2; rough++) {
             a_belt(rough, 1, route[i]);
             a_belt(rough, 0.35, route[i]);

@@ -16,7 +16,7 @@ from ..language.address import Address
 from ..language.homogeneity import require
 from ..language.leaves import names, operands, with_operands
 from ..language.lookup import Lookup
-from ..language.tree import ZERO, Binary, Call, Name, Node
+from ..language.tree import ONE, ZERO, Binary, Call, Name, Node, Number, binary, call, select
 from .events import add_event
 from .measures import Measures
 
@@ -48,6 +48,25 @@ _AFTER_FORCES = frozenset(
     )
 )
 _OF_EVENT = (layout.PM_MEASURE_EVENT_COUNT, layout.PM_MEASURE_EVENT_TIME)
+
+
+def _finite(node: Node, as_written: Node) -> Node:
+    """A function that has no value everywhere: of what its operand is by the side that holds, but of the operand
+    as it is written where that has none.
+
+    A step goes on by its side until it is seen to switch: max(x, 0)^1.5 is then 0 where x^1.5 is no number.
+    """
+    first, *others = operands(node)
+    if first == as_written:
+        return node
+    match node:
+        case Binary(right=Number(value_si=power)) if power == round(power):
+            return node
+        case Call(function="asin" | "acos"):
+            has_value = binary("<=", call("abs", first), ONE)
+        case _:
+            has_value = binary(">=", first, ZERO)
+    return with_operands(node, [select(has_value, first, as_written), *others])
 
 
 class Switches:
@@ -90,10 +109,13 @@ class Switches:
 
     def _by_sides(self, node: Node, where: str) -> Node:
         """With the sides of switches in the place of operations that switch by the motion."""
-        node = with_operands(node, [self._by_sides(one, where) for one in operands(node)])
+        as_written = operands(node)
+        node = with_operands(node, [self._by_sides(one, where) for one in as_written])
         if not self._moves(node):
             return node
         match node:
+            case Binary(operator="^") | Call(function="sqrt" | "log" | "asin" | "acos"):
+                return _finite(node, as_written[0])
             case Binary(operator="<" | "<="):
                 return self._side(node.right, node.left, where)
             case Binary(operator=">" | ">="):
