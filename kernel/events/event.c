@@ -1,7 +1,7 @@
 /* event.c - the functions of a phase: which there are, and their values.
  *
- * Each is zero where something may happen: a trigger its program less what it crosses, or, of multiples, the way to the
- * next one on either side; a contact its gap, its normal force N, what is left of its friction mu N - F and mu N + F, its slip,
+ * Each is zero where something may happen: a trigger its program less what it crosses, or the multiple that it reaches next; a
+ * contact its gap, its normal force N, what is left of its friction mu N - F and mu N + F, its slip,
  * the room on its edge; friction of a joint what is left of it either way, or its slip. */
 #include "events/event.h"
 
@@ -58,6 +58,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->due, ntrigger),
         PM_ARRAY(e->least, ntrigger),
         PM_ARRAY(e->greatest, ntrigger),
+        PM_ARRAY(e->multiples, ntrigger),
         PM_ARRAY(e->last, ntrigger),
         PM_ARRAY(e->came, ntrigger),
         PM_ARRAY(e->spent, ncontact),
@@ -104,21 +105,24 @@ static void add(const pm_phase *phase, pm_event_set *e, int kind, int index, int
 static void add_triggers(pm_workspace *w)
 {
     static const int direction[] = {
-        [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = -1};
+        [PM_TRIGGER_CROSS] = 0, [PM_TRIGGER_RISE] = 1, [PM_TRIGGER_FALL] = -1, [PM_TRIGGER_EVERY] = 0};
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         const int32_t *e = PM_TRIGGER_ROW(w->model, i);
         const int in_time = w->phase.route->in_time && pm_trigger_on_time(w->model, i);
         w->event->least[i] = INFINITY;
         w->event->greatest[i] = -INFINITY;
-        if (w->result.count[PM_COUNT_PHASES] == 0) w->event->last[i] = INFINITY;
+        if (w->result.count[PM_COUNT_PHASES] == 0) {
+            w->event->last[i] = INFINITY;
+            w->event->multiples[i].low = w->event->multiples[i].high = NAN;
+        }
         w->event->due[i] = in_time ? pm_trigger_due(w, i) : INFINITY;
         if (in_time || e[PM_TRIGGER_KIND] > PM_TRIGGER_EVERY) continue;
         add(&w->phase, w->event, FUNCTION_TRIGGER, i, direction[e[PM_TRIGGER_KIND]],
             w->model->programs.level[e[PM_TRIGGER_PROGRAM]], 0, 1);
         pm_event_function *f = &w->event->function[w->event->nfunction - 1];
-        f->held = w->firing.fired[i];
-        f->rested = f->held ? INFINITY : w->event->last[i];
         f->every = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY;
+        f->held = w->firing.fired[i] && !f->every;
+        f->rested = f->held ? INFINITY : w->event->last[i];
         const int goes_on =
             w->result.count[PM_COUNT_PHASES] > 0 && w->result.count[PM_COUNT_JUMPS] == w->event->came_jumps;
         f->left = goes_on && !f->held && !f->every ? w->event->came[i] : 0;
@@ -283,28 +287,12 @@ int pm_event_owner(const pm_model *m, const pm_event_function *f, int32_t *row)
 
 double pm_event_of_sample(const pm_event_function *f, double sample)
 {
-    return f->every ? (sample - f->low) * (f->high - sample) : sample;
+    return f->every ? sample - f->multiple : sample;
 }
 
 double pm_event_value(pm_workspace *w, const pm_event_function *f)
 {
     return pm_event_of_sample(f, pm_event_sample(w, f));
-}
-
-void pm_event_set_multiples(pm_workspace *w)
-{
-    for (int i = 0; i < w->event->nfunction; i++) {
-        pm_event_function *f = &w->event->function[i];
-        if (!f->every) continue;
-        const double p = pm_trigger_program(w, f->index), nearest = round(p);
-        const int holds = fabs(p - nearest) <= PM_ON_MULTIPLE * fmax(1, fabs(p));
-        const double low = holds ? nearest - 1 : floor(p), high = holds ? nearest + 1 : low + 1;
-        if (low == f->low && high == f->high) continue;
-        f->search = SEARCH_NONE;
-        f->ranged = 0;
-        f->low = low;
-        f->high = high;
-    }
 }
 
 /* The nearest open member of a touching contact moves away with a definite speed: it may come back at once. */
@@ -327,6 +315,7 @@ void pm_event_hold_on_zero(pm_workspace *w)
 {
     for (int i = 0; i < w->event->ntrigger; i++) {
         pm_event_function *f = &w->event->function[i];
+        if (f->every) continue; /* on which multiple it is is known (event_multiple.h) */
         const double now = pm_event_value_at(w, f, &w->state), part = pm_case_shift(w, &w->probe);
         const double natural = fabs(pm_event_value_at(w, f, &w->probe) - now) / part;
         f->slack = isfinite(natural) ? PM_EVENT_ON_ZERO * natural : 0;
@@ -361,7 +350,6 @@ void pm_event_begin(pm_workspace *w)
     e->first_step = 1;
     if (e->nsampled > 0) pm_gap_culling_begin(&w->event->culling, &w->frame);
     memset(e->spent, 0, (size_t)w->model->rows[PM_TABLE_CONTACT]);
-    pm_event_set_multiples(w);
     for (int i = 0; i < e->nfunction; i++) {
         pm_event_function *f = &e->function[i];
         /* of what the route finds itself only the log of decisions wants to know how it begins */

@@ -37,6 +37,17 @@ typedef struct pm_span {
     double a, b, ga, gb;
 } pm_span;
 
+/* A place of a step, and there the program of a trigger that counts multiples. */
+typedef struct pm_multiple_place {
+    double place, value;
+} pm_multiple_place;
+
+/* What is kept of such a trigger. */
+typedef struct pm_multiples {
+    double low, high; /* multiples below and above it; not a number: not known yet */
+    pm_multiple_place turn[PM_NODES_MOST]; /* where it turns back beside the nodes of the step; not a number: nowhere */
+} pm_multiples;
+
 typedef struct pm_event_function {
     int kind;       /* enum pm_function_kind */
     int index;      /* trigger, contact, slot, joint; of a strand: slot and side */
@@ -45,7 +56,7 @@ typedef struct pm_event_function {
     int owned;      /* the route itself finds its roots: not sampled */
     int held;       /* zero when the phase began, or just fired: must first be left */
     int sense;      /* of a friction that holds, 1 or -1: what is left of it against a force that way */
-    int every;      /* the samples are places along multiples: see pm_event_sample */
+    int every;      /* its samples are places along multiples, its values count from one of them (event_multiple.h) */
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int born;       /* of a gap beside a foot that is closed: another foot may come to be at any distance */
     int below;      /* of a gap: the mark was below its edge when the phase began */
@@ -59,7 +70,8 @@ typedef struct pm_event_function {
     double natural; /* its natural size; of a trigger 1 */
     double near;    /* least value where it came close and went back, since the last instant */
     double near_reach; /* its value on both sides of there */
-    double low, high;  /* `every`: the multiples below and above */
+    double multiple;   /* `every`: from which multiple its values are counted */
+    int turned;        /* likewise: where it turns back in the step is known */
     int pattern;       /* of a gap to a pattern: its place among these, else PM_NONE */
     int edge;          /* of a gap to an edge: its place among those that may be gone through, else PM_NONE */
     int search; /* enum pm_zero_search: it holds until the function has fired, or another step is sampled */
@@ -125,6 +137,7 @@ typedef struct pm_event_set {
     pm_blow_order order;      /* of their blows, as far as they were looked at */
     double *next;             /* [ncontact] and s, the latest of the others; -INFINITY: there is none */
     double *least, *greatest; /* [ntrigger] of the samples in the phase */
+    struct pm_multiples *multiples; /* [ntrigger] of those that count multiples */
     double *last;         /* [ntrigger] greatest size of the samples of the last step; INFINITY: of none */
     double *came;         /* [ntrigger] `left` where the last phase ended; 0: of none, or it has just fired */
     int64_t came_jumps;   /* PM_COUNT_JUMPS then */
@@ -187,8 +200,6 @@ int pm_event_explain_strand(pm_workspace *w, int status);
 int pm_event_check_strands(pm_workspace *w);
 /* PM_NOT_UNIQUE, where = trigger: an event waits for a reaction that is not unique in this phase. */
 int pm_event_check_unique(pm_workspace *w);
-/* The multiples of `every` next to the frame; one that holds must first be left. */
-void pm_event_set_multiples(pm_workspace *w);
 /* Samples of function i at the nodes of the step. */
 static inline double *pm_event_samples(pm_event_set *event, int i)
 {

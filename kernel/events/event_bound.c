@@ -36,7 +36,7 @@ int pm_event_bound_is_known(const pm_workspace *w, int i)
     const pm_event_function *f = &w->event->function[i];
     if (f->kind != FUNCTION_TRIGGER) return f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND;
     const int program = program_of(w, f);
-    return !f->every && pm_waves_may_be(w, program) && pm_waves_tell_law(w, program, PM_SAMPLE_TRIGGERS);
+    return pm_waves_may_be(w, program) && pm_waves_tell_law(w, program, PM_SAMPLE_TRIGGERS);
 }
 
 static pm_enclosure law_at(const pm_workspace *w, int program, double x)

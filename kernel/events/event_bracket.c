@@ -234,7 +234,7 @@ static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_
 {
     const double rounding = PM_ON_ZERO * of->biggest, beyond = pm_max(f->slack, rounding);
     const int begins = e->first_step && since == e->place[0] && fabs(of->g[0]) <= beyond;
-    const int rests = begins && f->rested <= beyond && !f->every;
+    const int rests = begins && f->rested <= beyond;
     if (!rests) f->rested = INFINITY;
     return rests ? pm_max(f->rested, rounding) : beyond;
 }

@@ -64,7 +64,7 @@ void pm_event_evidence_rate(pm_workspace *w, int function, double rate)
     x.kind = PM_EVIDENCE_RATE;
     x.what = function;
     x.in_time = w->phase.route->in_time;
-    x.distance = f->every ? rate / (f->high - f->low) : rate; /* of its program (pm_event_of_sample) */
+    x.distance = rate;
     x.reach = INFINITY;
     x.unit = f->natural * w->numbers.speed / w->numbers.size;
     pm_evidence_take(&w->evidence, &x);
@@ -236,7 +236,7 @@ static void take_value(pm_workspace *w, int i, int marks)
     if (is_at_end(&w->frame, f, x.distance)) return;
     x.unit = f->kind == FUNCTION_MEETING || f->kind == FUNCTION_STRAND ? w->numbers.size : f->natural;
     x.touching = touching_of(w, f, x.distance);
-    x.reach = fabs(x.distance);
+    x.reach = f->every ? 1 : fabs(x.distance); /* a multiple that it is on holds it */
     x.error = error_of(w, f, x.distance);
     if (x.error > 0 && has_passed(f, x.distance)) pm_evidence_ties(&w->evidence, w->state.t);
     pm_evidence_take(&w->evidence, &x);

@@ -38,6 +38,7 @@ static void begin_samples(pm_workspace *w)
         e->function[i].search = SEARCH_NONE;
         e->function[i].tail = -1;
         e->function[i].ranged = 0;
+        e->function[i].turned = 0;
     }
     for (int i = 0; i < e->npattern; i++) e->near[i].n = -1;
     e->soonest = INFINITY;
@@ -113,7 +114,8 @@ static void sample_triggers(pm_workspace *w)
         if (f->owned) continue;
         pm_watched_samples_run(w, PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM], NULL, value);
         find_range(f, value, w->step.nodes->n);
-        f->ranged = !f->every; /* the course of an `every` is from its nearest multiples */
+        f->ranged = !f->every; /* its course is from one of its multiples */
+        f->multiple = f->every ? round(*value) : 0;
         e->last[f->index] = pm_max(pm_max(f->most, -f->least), 0);
         e->least[f->index] = pm_min(f->least, e->least[f->index]);
         e->greatest[f->index] = pm_max(f->most, e->greatest[f->index]);
@@ -148,7 +150,7 @@ static void note_sides(pm_event_set *e)
         pm_event_function *f = &e->function[i];
         if (f->owned) continue;
         const double x = pm_event_of_sample(f, *pm_event_samples(e, i));
-        f->side = f->held ? 0 : (x > 0) - (x < 0);
+        f->side = f->held || f->every ? 0 : (x > 0) - (x < 0);
     }
 }
 
@@ -157,11 +159,9 @@ static int is_resolved(const pm_step *step, const double *sample)
     return !(pm_chebyshev_tail(step->nodes, sample) > PM_TAIL_WAVES);
 }
 
-/* Whether the samples of trigger i show it.  The search for its zeros needs the tail, too, unless the trigger has multiples: its
- * values there are others than its samples. */
+/* Whether the samples of trigger i show it.  The search for its zeros needs the tail, too. */
 static int is_trigger_resolved(const pm_step *step, pm_event_set *e, int i)
 {
-    if (e->function[i].every) return is_resolved(step, pm_event_samples(e, i));
     pm_event_course of;
     pm_event_samples_take(step, e, i, &of);
     return !(pm_event_samples_tail(step, e, i, &of) > PM_TAIL_WAVES);

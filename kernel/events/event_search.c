@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "elements/capture.h"
+#include "events/event_multiple.h"
 #include "events/event_parts.h"
 #include "events/step.h"
 #include "numerics/minmax.h"
@@ -41,6 +42,12 @@ static int was_shortest_before(pm_workspace *w, int i)
     return 1;
 }
 
+static int brackets_first(pm_workspace *w, int i, double from, pm_span *x)
+{
+    return w->event->function[i].every ? pm_event_multiple_first(w, i, pm_event_samples_along, x)
+                                       : pm_event_bracket_first(w, i, from, x);
+}
+
 /* The first place of the step, after `from`, where something happens to function i; *x brackets it; or INFINITY.  What
  * was found from an earlier place on still holds, as long as the function has not fired. */
 static int first_of(pm_workspace *w, int i, double from, double not_after, pm_span *x, double *place)
@@ -49,7 +56,7 @@ static int first_of(pm_workspace *w, int i, double from, double not_after, pm_sp
     *place = INFINITY;
     for (;;) {
         if (f->search == SEARCH_NONE)
-            f->search = pm_event_bracket_first(w, i, from, &f->bracket) ? SEARCH_BRACKETED : SEARCH_NO_ZERO;
+            f->search = brackets_first(w, i, from, &f->bracket) ? SEARCH_BRACKETED : SEARCH_NO_ZERO;
         if (f->search == SEARCH_NO_ZERO || f->bracket.a > not_after) return PM_OK;
         *x = f->bracket;
         if (f->search == SEARCH_BRACKETED) {
@@ -157,7 +164,7 @@ void pm_event_search_keep_sides(pm_workspace *w, double first)
     for (int i = 0; i < e->ntrigger; i++) {
         const pm_event_function *f = &e->function[i];
         pm_event_course of;
-        if (f->every) continue; /* between other multiples in the next phase */
+        if (f->every) continue; /* it knows between which multiples it is */
         pm_event_samples_take(&w->step, e, i, &of);
         e->came[f->index] = last_side(e, f, &of, first);
     }
@@ -180,9 +187,9 @@ void pm_event_search_leave(const pm_step *step, pm_event_set *e)
         pm_event_function *f = &e->function[i];
         if (!pm_event_samples_wanted(e, f)) continue;
         const double last = pm_event_of_sample(f, pm_event_samples(e, i)[step->nodes->n - 1]);
-        if (pm_event_changes_sign(f))
+        if (pm_event_changes_sign(f) && !f->every)
             f->left = side_at_end(step, e, i, last); /* others have one side alone */
-        if (fabs(last) > f->slack) f->held = 0;
+        if (f->every ? !pm_event_multiple_holds(e, f, last) : fabs(last) > f->slack) f->held = 0;
         f->since = 0;
     }
 }

@@ -196,7 +196,11 @@
 #define PM_SAME_PLACE 1e-11 /* of a step: events that are closer are one instant; larger: two blows become one */
 #define PM_GAP_ROUNDING 4e-15 /* of how far bodies are from the origin: gaps are rounded by it; larger: a bounce that comes back at once is lost */
 #define PM_FORCE_SLACK 1e-10 /* of the scene's weight-like force: forces that begin on zero are solved for so well; larger: contacts part late */
-#define PM_ON_MULTIPLE 1e-9 /* of the multiples' distance: `every` begins on one of them; larger: one right after the begin is lost */
+#define PM_ON_MULTIPLE 1e-9 /* of a multiple's number, 1 at the least: it is on it as a run begins, and parts from it; larger: one right after the begin is lost, smaller: one that has just fired is met twice */
+#define PM_MULTIPLE_CLOSE 1e-3 /* of the multiples' distance: what turns back so close to one is looked at; larger: more is */
+#define PM_TURN_SLOPE 0.25 /* of the way to the next node: by such a slope at an end of a step nothing turns back beside it; larger: more looks, smaller: turns are missed */
+#define PM_TURN_PLACE 1e-6 /* of the nodes' distance: a place where something turns back is known so well, its value by the square; larger: less exact, smaller: rounding */
+#define PM_TURN_LOOKS 40 /* for such a place; fewer: corners are met less exactly */
 #define PM_ON_GRID 1e-9 /* of a grid value: it is met at the start or end of the run; larger: answered beside its place */
 #define PM_GRID_ROUNDING 1e-12 /* of the greatest watched value: so much of a grid value, of 0 too, is rounding; larger: as above */
 #define PM_INTEGRAL_ERROR 0.1 /* of the run's tolerance: what quadrature may add to an integral over the time; larger: less exact */

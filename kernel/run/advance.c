@@ -15,6 +15,7 @@
 #include "events/blows_left.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
+#include "events/event_multiple.h"
 #include "events/event_search.h"
 #include "events/history.h"
 #include "events/motion_course.h"
@@ -56,10 +57,13 @@ static void take_roots(const pm_step *step, pm_event_set *e, double *first)
     *first = step->end;
 }
 
-static void mark_hits(pm_firing *firing, const pm_event_set *e)
+static void mark_hits(pm_firing *firing, pm_event_set *e)
 {
     for (int i = 0; i < e->nfunction; i++)
-        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) firing->fired[e->function[i].index] = 1;
+        if (e->hit[i] && e->function[i].kind == FUNCTION_TRIGGER) {
+            firing->fired[e->function[i].index] = 1;
+            pm_event_multiple_reach(e, &e->function[i]);
+        }
 }
 
 static double next_due(const pm_workspace *w)
@@ -140,7 +144,6 @@ static void hold_hits(pm_workspace *w, double x)
     for (int i = 0; i < e->nfunction; i++) {
         if (e->hit[i]) pm_event_hold(&e->function[i], fmax(x, e->function[i].located));
     }
-    pm_event_set_multiples(w);
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }
 
@@ -229,10 +232,7 @@ static int make_step(pm_workspace *w)
     int status = limit_reached(w, max_time);
     if (status) return status;
     memset(e->root, 0, (size_t)e->nfunction * sizeof(int));
-    if (!e->first_step) {
-        pm_frame_look_state(&w->frame, &w->state);
-        pm_event_set_multiples(w);
-    }
+    if (!e->first_step) pm_frame_look_state(&w->frame, &w->state);
     w->step.nodes = w->phase.route->nodes;
     status = step_of_route(w, time_limit(w, max_time));
     pm_history_step(&w->step, &w->record);

@@ -384,10 +384,4 @@ FAULTS = [
         "f->since = since; f->search = SEARCH_NONE;",
         "f->since = since;",
     ),
-    Fault(
-        "rate: of a multiple by the way to both beside it",
-        "events/event_evidence.c",
-        "f->every ? rate / (f->high - f->low) : rate",
-        "rate",
-    ),
 ]

@@ -173,4 +173,28 @@ FAULTS = [
         "return of->n < PM_NODES ||",
         "return",
     ),
+    Fault(
+        "multiples: what has fired is between others",
+        "events/event_multiple.c",
+        "event->multiples[f->index].high = f->multiple + 1;",
+        "event->multiples[f->index].high = f->multiple;",
+    ),
+    Fault(
+        "multiples: nothing turns back beside a node",
+        "events/event_multiple.c",
+        "return !is_shallow(x->s, p[k], pm_max(fabs(before), fabs(after)));",
+        "return 0;",
+    ),
+    Fault(
+        "multiples: nothing turns back beside an end of a step",
+        "events/event_multiple.c",
+        "if (slope * rise > 0 && fabs(slope) > PM_TURN_SLOPE * fabs(rise)) return 0;",
+        "if (slope * rise > 0 || rise != 0) return 0;",
+    ),
+    Fault(
+        "multiples: a phase begins on none of which one knows",
+        "events/event_multiple.c",
+        "if (!(p >= m->low - rounding && p <= m->high + rounding)) {",
+        "if (e->first_step || !(p >= m->low - rounding && p <= m->high + rounding)) {",
+    ),
 ]
