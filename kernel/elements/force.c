@@ -8,6 +8,7 @@
 #include "elements/joint_friction.h"
 #include "elements/turning_plane.h"
 #include "expression/program_class.h"
+#include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
 
@@ -28,10 +29,19 @@ static void line_place(const pm_frame *frame, const int32_t *e, pm_action *x)
     x->rate = (b.v[0] - a.v[0]) * x->force[0] + (b.v[1] - a.v[1]) * x->force[1];
 }
 
+/* Beyond the free one; in its free position a spring is at rest, though the places that it joins are rounded. */
+static void stretch_beyond(pm_action *x, double free, double places)
+{
+    const double rounding = PM_STRETCH_ROUNDING * (places + fabs(free));
+    x->stretch -= free;
+    if (fabs(x->stretch) <= rounding) x->stretch = 0;
+}
+
 static void spring_place(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
     line_place(frame, e, x);
-    x->stretch -= frame->numbers->value[e[PM_FORCE_VALUE_2]];
+    const double places = fabs(x->at_a[0]) + fabs(x->at_a[1]) + fabs(x->at_b[0]) + fabs(x->at_b[1]);
+    stretch_beyond(x, frame->numbers->value[e[PM_FORCE_VALUE_2]], places);
 }
 
 /* `size` N draw them together. */
@@ -81,7 +91,9 @@ static void rotary_place(const pm_frame *frame, const int32_t *e, pm_action *x)
 static void torsion_place(const pm_frame *frame, const int32_t *e, pm_action *x)
 {
     rotary_place(frame, e, x);
-    x->stretch -= frame->numbers->value[e[PM_FORCE_VALUE_2]];
+    const double *pose = frame->pose;
+    stretch_beyond(x, frame->numbers->value[e[PM_FORCE_VALUE_2]],
+                   fabs(pose[5 * x->body_a + 2]) + fabs(pose[5 * x->body_b + 2]));
 }
 
 static void act_by_couple(pm_action *x, double size)

@@ -8,8 +8,9 @@
 #define PM_COUNTLESS (INT64_MAX / 2)
 #define PM_UNCOUNTED (INT64_MIN / 2)
 
-/* What stands in pm_firing.fired: a trigger fires at this instant, or has done so with an earlier blow of it. */
-enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2 };
+/* What stands in pm_firing.fired: a trigger fires at this instant, or has done so with an earlier blow of it; or it has come to its
+ * zero and does not go beyond: it has not fired. */
+enum pm_fired { PM_FIRED_NOT = 0, PM_FIRED_NOW = 1, PM_FIRED_EARLIER = 2, PM_FIRED_SHORT = 3 };
 
 /* What stands in pm_firing.counted: an event's triggers have been counted at this instant, and it fired by that. */
 enum pm_counted { PM_COUNTED_NOT = 0, PM_COUNTED_MARKED = 1, PM_COUNTED_FIRED = 2 };

@@ -125,7 +125,8 @@ static void add_triggers(pm_workspace *w)
         f->rested = f->held ? INFINITY : w->event->last[i];
         const int goes_on =
             w->result.count[PM_COUNT_PHASES] > 0 && w->result.count[PM_COUNT_JUMPS] == w->event->came_jumps;
-        f->left = goes_on && !f->held && !f->every ? w->event->came[i] : 0;
+        const int came = !f->held || w->firing.fired[i] == PM_FIRED_SHORT;
+        f->left = goes_on && came && !f->every ? w->event->came[i] : 0;
     }
 }
 

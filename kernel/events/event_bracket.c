@@ -227,16 +227,16 @@ static int returns_after(pm_workspace *w, int i, const pm_event_course *of, int 
     return 1;
 }
 
-/* How far from zero a held trigger has left it.  One that was zero throughout the step before the phase fires as it leaves to
- * the side on which it counts; at the start of a run it has no past, and later it rests no more. */
+/* How far from zero a held trigger has left it; one that was zero throughout the step before fires as it leaves to its side. */
 static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
                           double since)
 {
     const double rounding = PM_ON_ZERO * of->biggest, beyond = pm_max(f->slack, rounding);
-    const int begins = e->first_step && since == e->place[0] && fabs(of->g[0]) <= beyond;
-    const int rests = begins && f->rested <= beyond;
+    const int new = e->first_step || (f->slack > 0 && isfinite(f->rested)), zero = fabs(of->g[0]) <= beyond;
+    const int rests = new && since == e->place[0] && zero && f->rested <= beyond;
+    const double least = f->rested > 0 ? PM_EVENT_RESTED * f->slack : 0; /* rounding of what rests */
     if (!rests) f->rested = INFINITY;
-    return rests ? pm_max(f->rested, rounding) : beyond;
+    return rests ? pm_max(pm_max(f->rested, rounding), least) : beyond;
 }
 
 /* So close to a zero that was located at x nothing has left it.  A jump lies within what its argument scatters by, which may
@@ -274,11 +274,11 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
 /* ---- the step ---- */
 /* At the begin of the phase it may be on its zero by chance. */
 static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
-                            double from)
+                            double at)
 {
-    if (!e->first_step || from != e->place[0] || !(fabs(of->g[0]) <= PM_ON_ZERO * of->biggest)) return;
+    if (!e->first_step || at != e->place[0] || !(fabs(of->g[0]) <= PM_ON_ZERO * of->biggest)) return;
     f->held = 1;
-    f->since = from;
+    f->since = at;
 }
 
 /* A step that ends on a zero, but for rounding, may end before it where the next begins beyond it: that begins where the last

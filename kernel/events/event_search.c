@@ -150,9 +150,9 @@ static double last_side(const pm_event_set *e, const pm_event_function *f, const
                         double place)
 {
     const double fired = f->held ? f->since : -INFINITY;
+    const double beyond = pm_max(PM_ON_ZERO * of->biggest, f->kind == FUNCTION_TRIGGER ? f->slack : 0);
     for (int k = of->n - 1; k >= 0; k--)
-        if (e->place[k] <= place && e->place[k] > fired && fabs(of->g[k]) > PM_ON_ZERO * of->biggest)
-            return of->g[k];
+        if (e->place[k] <= place && e->place[k] > fired && fabs(of->g[k]) > beyond) return of->g[k];
     return f->held ? 0 : f->left;
 }
 

@@ -3,7 +3,8 @@
  *
  *   f' a'   and   f'' a'^2 + f' a''
  *
- * with f' the slope and f'' the bend of the operation.  Steps and kinks have the derivatives of one of their sides. */
+ * with f' the slope and f'' the bend of the operation.  Steps and kinks have the derivatives of one of their sides: where the
+ * operands of min or max are equal, of the side on which the first is not less (enclosure_rules.c tells switches so). */
 #include <math.h>
 
 #include "expression/operation.h"
@@ -107,9 +108,9 @@ static pm_timed binary(int op, pm_timed a, pm_timed b)
     case PM_OP_POW: return power(a, b, x);
     case PM_OP_ATAN2: return direction(a, b, x);
     case PM_OP_HYPOT: return size(a, b, x);
-    case PM_OP_MIN:
-    case PM_OP_MAX: return x == a.x ? a : (pm_timed){x, b.rate, b.change}; /* x may be no number */
-    default: return (pm_timed){x, 0, 0};                                   /* comparisons, logic */
+    case PM_OP_MIN: return x == b.x ? b : (pm_timed){x, a.rate, a.change}; /* x may be no number */
+    case PM_OP_MAX: return x == a.x ? a : (pm_timed){x, b.rate, b.change};
+    default: return (pm_timed){x, 0, 0}; /* comparisons, logic */
     }
 }
 

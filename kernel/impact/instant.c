@@ -16,6 +16,7 @@
 #include "events/step.h"
 #include "events/track.h"
 #include "impact/action.h"
+#include "impact/beyond.h"
 #include "impact/contact_modes.h"
 #include "impact/drives.h"
 #include "impact/impact.h"
@@ -168,6 +169,7 @@ static int blow(pm_workspace *w, int begins)
 {
     pm_action_instant(w->model, w->event);
     int status = settle(w, begins);
+    if (!status && !begins) status = pm_beyond_leave_out(w);
     if (!status && w->model->acts) status = carry_out(w);
     while (!status && w->model->programs.wait_for_counts && pm_trigger_count_marked(w)) {
         pm_trigger_look_after(w);

@@ -96,6 +96,8 @@
 
 /* ---- equations ---- */
 /* natural sizes */
+#define PM_STRETCH_ROUNDING 3e-15 /* of the places that a spring joins and its free length: so little stretch is none, nor what coarse runs add (PM_DISTURBED_PLACE); larger: a spring next to its free position does not pull, smaller: rounding moves what rests there */
+#define PM_SPEED_ROUNDING 1e-4 /* of the speed by the forces that such a shift makes: that of forces which are rounding; larger: weak forces at a start count as none */
 #define PM_SHIFT 1e-6 /* of a state's own size: shows the size of what is read there; larger: not linear */
 /* loads */
 #define PM_PRESSURE_MOST 1.0471975511965976 /* rad, 60 degrees: teeth have no greater pressure angle; larger: they would hardly turn each other */
@@ -228,6 +230,7 @@
 #define PM_LEAVING_LEAST 1e-14 /* of the place: so close to a zero that was located nothing has left it; larger: what comes back at once is missed */
 #define PM_LEAVING_JUMP 1e-2 /* of half the window about a switch: so close to a jump nothing has left it; larger: what comes back at once is missed, smaller: its scatter counts as more jumps */
 #define PM_EVENT_ON_ZERO 1e-12 /* of a trigger's natural size: zero as a phase in time begins; larger: what begins close to zero is missed */
+#define PM_EVENT_RESTED 1e-2 /* of that: what has rested on its zero has not left it, by rounding; larger: what leaves slowly fires later, smaller: rounding fires */
 #define PM_EVENT_RATE_STEP 1e-4 /* of the step: differences that make the rate at a zero; larger: less exact, smaller: rounding */
 #define PM_EVENT_RATE_CLOSER 8.0 /* times so short a difference tells a jump, which has no rate; larger: roundings look like jumps, smaller: steep zeros do */
 #define PM_EVENT_RATE_JUMPS 0.7 /* of these times its rate grows by there: at a jump by all of them, at a zero by none, at a root by their root; larger: jumps near others are taken for rates */

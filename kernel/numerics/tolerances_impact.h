@@ -95,5 +95,6 @@
 #define PM_ACTION_FITS 32 /* tries to find it: the answer is linear but where contacts join or let go; more: slower */
 #define PM_AT_REST 1e-11 /* of the scene's speed, and of that squared over its size: at rest; larger: what creeps rests */
 #define PM_REVERSAL 1e-7 /* of the scene's speed: how fast it is looked at just before and after it reverses; larger: less exact */
+#define PM_BEYOND 1e-9 /* of what a shift of the state changes a value by: it changes so little by the motion after an instant, it stays; larger: what goes beyond slowly fires as the next phase begins */
 
 #endif

@@ -80,8 +80,8 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     return status;
 }
 
-/* A scene at rest has no speed yet: what its forces would make of its size is the scale. */
-static void set_speed_scale(pm_workspace *w)
+/* What the forces at the frame would make of the scene's size. */
+static double speed_by_forces(pm_workspace *w)
 {
     double fastest = 0;
     pm_force_all(w);
@@ -91,6 +91,28 @@ static void set_speed_scale(pm_workspace *w)
         fastest = pm_max(sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size),
                          fastest);
     }
+    return fastest;
+}
+
+/* Where bodies rest in places where springs are free their forces are nothing, or rounding: what they would be as far away as the
+ * scene is large tells its speed. */
+static double speed_by_stiffness(pm_workspace *w)
+{
+    pm_state_copy(&w->probe, &w->state);
+    for (int i = 0; i < w->model->nq; i++)
+        w->probe.q[i] += PM_SHIFT * (i % 2 ? -1 : 1) * pm_numbers_length(&w->numbers, i);
+    pm_frame_look_state(&w->frame, &w->probe);
+    const double fastest = speed_by_forces(w);
+    pm_frame_look_state(&w->frame, &w->state);
+    return fastest;
+}
+
+/* A scene at rest has no speed yet: what its forces would make of its size is the scale. */
+static void set_speed_scale(pm_workspace *w)
+{
+    double fastest = speed_by_forces(w);
+    const double shifted = speed_by_stiffness(w);
+    if (pm_max(fastest, w->numbers.speed) <= PM_SPEED_ROUNDING * shifted) fastest = shifted / sqrt(PM_SHIFT);
     fastest = pm_max(fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size, fastest);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;
     /* nothing to speak of acts or moves: as what crosses the scene, or next to nothing of it, while the run lasts */

@@ -167,4 +167,10 @@ FAULTS = [
         "constant(frame, e[PM_FORCE_PROGRAM_X]) && pm_constant_motion_together(frame, &c, x);",
         "constant(frame, e[PM_FORCE_PROGRAM_X]) + 0 * pm_constant_motion_together(frame, &c, x);",
     ),
+    Fault(
+        "springs: rounding of a place is a stretch",
+        "elements/force.c",
+        "if (fabs(x->stretch) <= rounding) x->stretch = 0;",
+        "(void)rounding;",
+    ),
 ]

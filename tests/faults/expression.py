@@ -153,4 +153,10 @@ FAULTS = [
         "if (x->next != at->next) return",
         "if (x->next == NULL) return",
     ),
+    Fault(
+        "program: where two are equal the lesser is the first",
+        "expression/program_rate.c",
+        "case PM_OP_MIN: return x == b.x ? b : (pm_timed){x, a.rate, a.change};",
+        "case PM_OP_MIN: return x == a.x ? a : (pm_timed){x, b.rate, b.change};",
+    ),
 ]

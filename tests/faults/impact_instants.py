@@ -272,4 +272,10 @@ FAULTS = [
         "if (reads_accelerations(m, i)) return 1;",
         "(void)reads_accelerations(m, i);",
     ),
+    Fault(
+        "stops: what comes to zero and stays there has gone beyond",
+        "impact/beyond.c",
+        "f->direction * change > PM_BEYOND * natural;",
+        "1;",
+    ),
 ]

@@ -194,4 +194,16 @@ FAULTS = [
     Fault(
         "turns: too late", "routes/uniform/turns.c", "if (last.time < time &&", "if (last.time < 2 * time &&"
     ),
+    Fault(
+        "gaps: bounds over a shorter stretch are about as long as what was safe",
+        "routes/uniform/uniform_gap.c",
+        "sqrt(safe) * sqrt(far)",
+        "PM_UNIFORM_WIDER * safe",
+    ),
+    Fault(
+        "series: the last blow is the last that was computed",
+        "routes/uniform/zeno.c",
+        "w->state.t = w->firing.jumped = u->t0 + r.time;",
+        "w->state.t = u->t0 + r.time;",
+    ),
 ]

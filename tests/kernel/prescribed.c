@@ -35,6 +35,25 @@ static void a_corner(int route)
     scene_free(s);
 }
 
+/* The lesser, or the greater, of k (t - 1) and 0, in either order, less what it is at first: at 1 the two are equal. */
+static void a_corner_of_two(int route, int op, int swapped, double k)
+{
+    scene *s = scene_create();
+    const scene_code t = scene_m(scene_time(s)), zero = scene_k(s, 0), one = scene_k(s, 1), by = scene_k(s, k);
+    const scene_code minus = scene_op(PM_OP_SUB), times = scene_op(PM_OP_MUL), choice = scene_op(op);
+    const double rate = (k > 0) == (op == PM_OP_MAX) ? k : 0, first = rate == 0 ? -k : 0;
+    const scene_code at_first = scene_k(s, first);
+    const int program = swapped
+                            ? SCENE_PROGRAM(s, zero, t, one, minus, by, times, choice, at_first, minus)
+                            : SCENE_PROGRAM(s, t, one, minus, by, times, zero, choice, at_first, minus);
+    driven_disk(route, program, s);
+    EQUAL(scene_run(s, NULL), PM_OK);
+    EQUAL(s->count[PM_COUNT_JUMPS], 1);
+    NEAR(s->out[0], rate - first, 1e-13);
+    NEAR(s->out[1], rate, 1e-12);
+    scene_free(s);
+}
+
 /* t + 0.1 (t > 1) */
 static void a_jump(int route)
 {
@@ -77,6 +96,8 @@ int main(void)
     static const int routes[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int k = 0; k < 3; k++) {
         a_corner(routes[k]);
+        for (int i = 0; i < 8; i++)
+            a_corner_of_two(routes[k], i & 1 ? PM_OP_MIN : PM_OP_MAX, i & 2, i & 4 ? 2 : -2);
         a_jump(routes[k]);
     }
     carried(0);

@@ -120,6 +120,32 @@ def test_a_corner_is_a_blow(route: str) -> None:
     assert result["omega"] == pytest.approx(2, abs=1e-12)
 
 
+def lesser_or_greater(seed: int) -> tuple[str, float, float]:
+    """Two straight laws that cross between 0.2 s and 1.8 s, the lesser or the greater of them; its value and rate at 2 s."""
+    rng = np.random.default_rng(seed)
+    corner = float(rng.choice([rng.uniform(0.2, 1.8), rng.integers(1, 8) / 4]))
+    slope = [0.0 if rng.random() < 0.3 else float(rng.uniform(-2, 2)), float(rng.uniform(-2, 2))]
+    level = 0.0 if rng.random() < 0.3 else float(rng.uniform(-1, 1))
+    laws = [f"({level!r} rad) + ({a!r} rad/s)*(t - ({corner!r} s))" for a in slope]
+    name, best = [("min", min), ("max", max)][seed % 2]
+    rate = best(slope)
+    order = [laws[k] for k in rng.permutation(2)]
+    if rng.random() < 0.3:
+        order.append(f"{-9 if name == 'max' else 9} rad")
+    return f"{name}({', '.join(order)})", level + rate * (2 - corner), rate
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("seed", range(12))
+def test_the_corner_of_a_lesser_or_greater_is_a_blow(seed: int, route: str) -> None:
+    law, angle, omega = lesser_or_greater(seed)
+    at = f"at = [0, 0], angle = '{law.replace('t - ', '(0 s) - ')}'"
+    result = run(CORNER.replace("PROGRAM", law).replace("at = [0, 0]", at, 1), route)
+    assert result.counts["jumps"] == 1
+    assert result["angle"] == pytest.approx(angle, abs=1e-13)
+    assert result["omega"] == pytest.approx(omega, abs=1e-12)
+
+
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_jump_is_refused_and_what_was_answered_before_stands(route: str) -> None:
     result = run(CORNER.replace("PROGRAM", "t*(1 rad/s) + (0.1 rad)*(t > (1 s))"), route)

@@ -32,12 +32,13 @@ double pm_uniform_gap_first_root(double g, double rate, double bend)
     return rate > 0 ? (rate + sqrt(square)) / -bend : 2 * g / (-rate + sqrt(square));
 }
 
-/* How long a member stays open, at most h; *exact: it closes there. */
+/* How long a member stays open, at most h; *exact: it closes there.  Bounds over a long stretch tell little, and those over a
+ * short one tell no more than it is long: the length with about the longest answer is looked for between both. */
 static double open_for(const pm_frame *frame, const pm_uniform *uniform, const pm_constraint *c, double g,
                        double rate, double h, int *exact)
 {
     const double *a = uniform->a;
-    double safe = 0;
+    double safe = 0, far = h;
     *exact = 0;
     for (int i = 0; i < PM_UNIFORM_REFINEMENTS; i++) {
         pm_constraint_bounds x;
@@ -49,8 +50,9 @@ static double open_for(const pm_frame *frame, const pm_uniform *uniform, const p
         }
         const double by_rate = x.rate > 0 ? g / x.rate : INFINITY;
         safe = pm_max(fmin(h, fmax(pm_uniform_gap_first_root(g, rate, x.bend), by_rate)), safe);
-        if (PM_UNIFORM_WIDER * safe >= h) break;
-        h = safe > 0 ? PM_UNIFORM_WIDER * safe : PM_UNIFORM_SHORTER * h;
+        if (safe < h) far = h;
+        if (PM_UNIFORM_WIDER * safe >= far) break;
+        h = safe > 0 ? sqrt(safe) * sqrt(far) : PM_UNIFORM_SHORTER * h;
     }
     return safe;
 }

@@ -380,7 +380,7 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     end_of_series(u, w->model->nq, &r, q, v);
     add_forces(w, &r, q);
     add_blows(w, &r, q, v);
-    w->state.t = u->t0 + r.time;
+    w->state.t = w->firing.jumped = u->t0 + r.time; /* by its last blow */
     pm_integral_leap(w, r.time);
     pm_step_set(&w->step, w->state.t, w->state.t);
     w->result.count[PM_COUNT_JUMPS]++;
