@@ -26,6 +26,7 @@
 #include "equations/ledger.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
+#include "events/integral_series.h"
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
@@ -142,6 +143,7 @@ static int find_touching(pm_workspace *w, pm_blow *b, int *struck)
             if (x.approaches) {
                 pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
                 pm_bounce_series_strike(w, i, fabs(x.rate));
+                pm_integral_series_mark(w, i);
             }
             ++*struck;
         }

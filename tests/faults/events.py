@@ -279,7 +279,7 @@ FAULTS = [
     Fault(
         "series: a body in its last bounces rests",
         "events/bounce_series.c",
-        "if (is_going_on(w, i) && (body",
+        "if (pm_bounce_series_goes_on(w, i) && (body",
         "if (0 && (body",
     ),
     Fault(

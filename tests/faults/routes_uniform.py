@@ -194,4 +194,10 @@ FAULTS = [
     Fault(
         "turns: too late", "routes/uniform/turns.c", "if (last.time < time &&", "if (last.time < 2 * time &&"
     ),
+    Fault(
+        "zeno: its last blow is one that a coarse run has not seen",
+        "routes/uniform/zeno.c",
+        "w->firing.jumped = NAN;",
+        "",
+    ),
 ]
