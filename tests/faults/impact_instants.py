@@ -242,4 +242,10 @@ FAULTS = [
         "if (reads_accelerations(m, i)) return 1;",
         "(void)reads_accelerations(m, i);",
     ),
+    Fault(
+        "impact: what flies low is struck at a time of the scene",
+        "impact/impact.c",
+        "if (is_in_flight(w, contact)) return 0;",
+        "",
+    ),
 ]
