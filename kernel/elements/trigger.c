@@ -44,6 +44,24 @@ void pm_trigger_countless(const pm_model *model, pm_firing *firing, int event, d
     lose_count(model, firing, event, t, PM_COUNTLESS);
 }
 
+void pm_trigger_uncounted(const pm_model *model, pm_firing *firing, int event, double t)
+{
+    lose_count(model, firing, event, t, PM_UNCOUNTED);
+}
+
+static void add_one(pm_firing *x, int event, double t)
+{
+    x->count[event] += x->count[event] >= 0 && x->count[event] < PM_COUNTLESS; /* else it has no number */
+    x->time[event] = t;
+}
+
+void pm_trigger_count_earlier(const pm_model *model, pm_firing *x, int event, double t)
+{
+    const int nth = PM_EVENT_ROW(model, event)[PM_EVENT_NTH];
+    if (nth == 0 || x->seen[event] + 1 == nth) add_one(x, event, t);
+    x->seen[event]++;
+}
+
 void pm_trigger_lose_strikes(pm_workspace *w, int contact, int64_t count)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
@@ -265,8 +283,7 @@ int pm_trigger_count_marked(pm_workspace *w)
         x->seen[event]++;
         x->counted[event] = fires ? PM_COUNTED_FIRED : PM_COUNTED_MARKED;
         if (!fires) continue;
-        x->count[event] += x->count[event] >= 0 && x->count[event] < PM_COUNTLESS; /* else it has no number */
-        x->time[event] = w->state.t;
+        add_one(x, event, w->state.t);
     }
     return any;
 }

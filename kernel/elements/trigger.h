@@ -53,6 +53,9 @@ void pm_trigger_mark_start(pm_workspace *w);
 /* What the event waits for has happened infinitely often until time t: so it has fired, or once if it fires at the nth time
  * alone; all events of a contact that is struck so (PM_COUNTLESS), or from now on with nobody to count it (PM_UNCOUNTED). */
 void pm_trigger_countless(const pm_model *model, pm_firing *firing, int event, double t);
+/* It has happened at t, before this instant, and nothing was asked of it there; or from now on nobody counts it. */
+void pm_trigger_count_earlier(const pm_model *model, pm_firing *firing, int event, double t);
+void pm_trigger_uncounted(const pm_model *model, pm_firing *firing, int event, double t);
 void pm_trigger_lose_strikes(pm_workspace *w, int contact, int64_t count);
 /* The next blow of the same instant: what has fired stays marked as such, and may fire again. */
 void pm_trigger_next_blow(const pm_model *model, pm_firing *firing);

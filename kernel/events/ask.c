@@ -9,6 +9,7 @@
 #include "events/derived.h"
 #include "events/event.h"
 #include "events/integral.h"
+#include "events/integral_series.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
 #include "expression/program.h"
@@ -278,6 +279,7 @@ static int is_cut(const pm_workspace *w, int ask)
 void pm_ask_end(pm_workspace *w)
 {
     const pm_model *m = w->model;
+    pm_integral_series_break(w);
     for (int i = 0; i < m->nask; i++) {
         const int32_t *e = PM_ASK_ROW(m, i);
         if (e[PM_ASK_KIND] == PM_ASK_END)

@@ -23,6 +23,7 @@ typedef struct pm_ask_set {
     int *switches; /* [nask] places where the watched program may change its branch, as far as known */
     int *dips;     /* [nask] whether it has no extremes there */
     struct pm_integral *integral;     /* [nask] (integral.h) */
+    struct pm_integral_flights *flights; /* [ncontact][nask] (integral_series.h), if any is an integral */
     struct pm_percentile *percentile; /* [nask] (percentile.h) */
     int fresh;                        /* something was filled since */
     void *solver;                     /* gsl_root_fsolver */

@@ -7,15 +7,16 @@
 int pm_blows_left_create(pm_workspace *w);
 /* A run begins: none are left. */
 void pm_blows_left_forget(const pm_workspace *w);
-/* A blow has just closed a contact that would bounce on; velocities were `before`.  Its further blows are left if something waits
- * for one of them; else they are no longer counted. */
+/* A blow has just closed a contact that would bounce on; velocities were `before`.  Its further blows are left. */
 void pm_blows_left_hold(pm_workspace *w, int contact, const double *before);
 /* The blows of this instant are done, and it is known how long the series goes on (pm_bounce_series_cut). */
 void pm_blows_left_begin(pm_workspace *w);
-/* The next time at which one of them is due, s; INFINITY: none is. */
+/* The next time at which one that something waits for is due, s, or a firing in a flight; INFINITY: none is. */
 double pm_blows_left_next(const pm_workspace *w);
 /* 1 if some are due by now: their contacts are marked as struck, or are counted no more. */
 int pm_blows_left_strike(pm_workspace *w);
+/* Those that nothing waits for are counted up to this instant. */
+void pm_blows_left_count(pm_workspace *w);
 /* By how much a program at the frame, just before the blow or after it, is off because velocities and impulses of such a blow of this
  * instant are left out. */
 double pm_blows_left_error(pm_workspace *w, int program, int before);

@@ -372,7 +372,7 @@ int pm_bounce_series_end(pm_workspace *w)
     return any;
 }
 
-static int is_going_on(const pm_workspace *w, int contact)
+int pm_bounce_series_goes_on(const pm_workspace *w, int contact)
 {
     const double over = w->event->series[contact].over;
     return over > w->state.t && (over < INFINITY || is_closed(w, contact));
@@ -381,7 +381,7 @@ static int is_going_on(const pm_workspace *w, int contact)
 int pm_bounce_series_moves(const pm_workspace *w, int body)
 {
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
-        if (is_going_on(w, i) && (body == PM_NONE || touches(w->event, i, body))) return 1;
+        if (pm_bounce_series_goes_on(w, i) && (body == PM_NONE || touches(w->event, i, body))) return 1;
     return 0;
 }
 
@@ -390,7 +390,7 @@ int pm_bounce_series_check(pm_workspace *w)
     if (pm_bounce_series_next(w) < INFINITY) return PM_OK;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) {
         const pm_bounce_series *x = &w->event->series[i];
-        if (is_going_on(w, i))
+        if (pm_bounce_series_goes_on(w, i))
             return pm_fail(&w->result, PM_BOUNCES_ON, PM_TABLE_CONTACT, i, own_flight(x, 0),
                            own_flight(x, 1));
     }

@@ -35,6 +35,8 @@ int pm_bounce_series_share(const pm_workspace *w, int contact, int other);
 double pm_bounce_series_next(const pm_workspace *w);
 /* 1 if such a series is over by now; it is forgotten. */
 int pm_bounce_series_end(pm_workspace *w);
+/* 1 if the contact has been closed, and still bounces. */
+int pm_bounce_series_goes_on(const pm_workspace *w, int contact);
 /* 1 if a contact of the body (PM_NONE: any contact) still bounces. */
 int pm_bounce_series_moves(const pm_workspace *w, int body);
 

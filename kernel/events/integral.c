@@ -33,12 +33,13 @@ int pm_integral_create(pm_workspace *w)
     a->quadrature = gsl_integration_workspace_alloc(INTERVALS);
     if (pm_arena_keep(&w->memory, a->quadrature, quadrature_free)) return PM_NO_MEMORY;
     if (pm_percentile_create(w)) return PM_NO_MEMORY;
-    return pm_arena_take(&w->memory, PM_ARRAYS(array));
+    return pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_integral_series_create(w) ? PM_NO_MEMORY : PM_OK;
 }
 
 void pm_integral_reset(pm_workspace *w)
 {
     memset(w->ask->integral, 0, (size_t)w->model->nask * sizeof *w->ask->integral);
+    for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++) pm_integral_series_forget(w, i);
     pm_percentile_reset(w);
 }
 
@@ -192,15 +193,12 @@ static void find_cuts(pm_workspace *w, int ask, pm_integral_cuts *x)
 }
 
 /* ---- a step ---- */
-static int is_squared(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_RMS; }
-static int is_percentile(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_PERCENTILE; }
-
 /* The samples of f, and how large it is. */
 static void read_nodes(pm_workspace *w, int ask, double *sample)
 {
     pm_integral *x = &w->ask->integral[ask];
     const double *value = pm_ask_samples(w, ask);
-    const int n = w->step.nodes->n, squared = is_squared(PM_ASK_ROW(w->model, ask));
+    const int n = w->step.nodes->n, squared = pm_integral_is_squared(PM_ASK_ROW(w->model, ask));
     double sum = 0;
     for (int k = 0; k < n; k++) {
         sample[k] = squared ? value[k] * value[k] : value[k];
@@ -222,16 +220,19 @@ int pm_integral_step(pm_workspace *w, int ask)
     find_cuts(w, ask, &cut);
     read_nodes(w, ask, sample);
     if (condition >= 0) pm_watched_samples_run(w, condition, NULL, holds);
-    pm_integrand f = {w, e[PM_ASK_PROGRAM], is_squared(e), sample, x->size}, c = {w, condition, 0, holds, 1};
+    pm_integrand f = {w, e[PM_ASK_PROGRAM], pm_integral_is_squared(e), sample, x->size}, c = {w, condition, 0, holds, 1};
     for (int i = 0; i <= cut.n && from < s->end; i++) {
         const double to = i < cut.n ? fmin(cut.at[i], s->end) : s->end;
         if (!(to > from)) continue;
         over_piece(&f, from, to, cut.n == 0, &x->sum, &x->error);
         if (condition >= 0) over_piece(&c, from, to, cut.n == 0, &x->weight, &nothing);
-        if (is_percentile(e) && pm_percentile_take(w, ask, from, to)) return PM_NO_MEMORY;
+        if (pm_integral_is_percentile(e) && pm_percentile_take(w, ask, from, to)) return PM_NO_MEMORY;
         from = to;
     }
     if (condition < 0) x->weight += s->end - s->begin;
+    const int whole = s->end == s->sampled_end, last = s->nodes->n - 1;
+    x->last = whole ? sample[last] : NAN;
+    x->last_weight = condition < 0 ? 1 : whole ? holds[last] : NAN;
     x->span += s->end - s->begin;
     return PM_OK;
 }
@@ -247,15 +248,15 @@ double pm_integral_answer(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const pm_integral *x = &w->ask->integral[ask];
-    const double mean = x->sum / divisor(x, e), value = is_squared(e) ? sqrt(fmax(mean, 0)) : mean;
+    const double mean = x->sum / divisor(x, e), value = pm_integral_is_squared(e) ? sqrt(fmax(mean, 0)) : mean;
     if (!(fabs(x->span - w->state.t) <= PM_INTEGRAL_ALL * w->state.t) || isnan(mean)) return NAN;
-    double error = x->error / divisor(x, e);
-    if (is_percentile(e)) {
+    double error = (x->error + (e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 0 : fabs(mean) * x->weight_error)) / divisor(x, e);
+    if (pm_integral_is_percentile(e)) {
         const double percentile = pm_percentile_answer(w, ask, &error);
         pm_evidence_more(&w->evidence, e[PM_ASK_OUT], error);
         return percentile;
     }
-    pm_evidence_more(&w->evidence, e[PM_ASK_OUT], is_squared(e) ? sqrt(mean + error) - sqrt(mean) : error);
+    pm_evidence_more(&w->evidence, e[PM_ASK_OUT], pm_integral_is_squared(e) ? sqrt(mean + error) - sqrt(mean) : error);
     return value;
 }
 
@@ -264,41 +265,5 @@ double pm_integral_terms(const pm_workspace *w, int ask)
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const pm_integral *x = &w->ask->integral[ask];
     const double terms = divisor(x, e) > 0 ? x->terms / divisor(x, e) : 0;
-    return is_squared(e) ? sqrt(terms) : terms;
-}
-
-/* ---- flights that are passed at once ---- */
-void pm_integral_mark(pm_workspace *w)
-{
-    for (int i = 0; i < w->ask->nobserver; i++) {
-        pm_integral *x = &w->ask->integral[w->ask->observer[i]];
-        memmove(x->flight, x->flight + 1, 2 * sizeof *x->flight);
-        x->flight[2] = (pm_integral_at){w->state.t, x->sum, x->weight};
-    }
-}
-
-int pm_integral_leap_is_clear(pm_workspace *w, int ask, double e, double time)
-{
-    pm_integral *x = &w->ask->integral[ask];
-    const pm_integral_at *at = x->flight;
-    const double before = at[1].t - at[0].t, last = at[2].t - at[1].t;
-    x->leap = (at[2].sum - at[1].sum) / last;
-    x->leap_weight = (at[2].weight - at[1].weight) / last;
-    const double change = fabs(x->leap - (at[1].sum - at[0].sum) / before),
-                 of_weight = fabs(x->leap_weight - (at[1].weight - at[0].weight) / before);
-    const double open = PM_INTEGRAL_ERROR * w->numbers.tolerance * w->state.t * (1 - e);
-    return change * time <= open * x->size && of_weight * time <= open;
-}
-
-void pm_integral_leap(pm_workspace *w, double time)
-{
-    for (int i = 0; i < w->ask->nobserver; i++) {
-        pm_integral *x = &w->ask->integral[w->ask->observer[i]];
-        x->sum += x->leap * time;
-        x->weight += x->leap_weight * time;
-        x->span += time;
-        if (!is_percentile(PM_ASK_ROW(w->model, w->ask->observer[i]))) continue;
-        if (pm_percentile_pass(w, w->ask->observer[i], x->leap, time))
-            w->ask->undefined[w->ask->observer[i]] = 1;
-    }
+    return pm_integral_is_squared(e) ? sqrt(terms) : terms;
 }

@@ -2,12 +2,8 @@
 #ifndef PM_INTEGRAL_H
 #define PM_INTEGRAL_H
 
+#include "events/integral_series.h"
 #include "state/workspace.h"
-
-/* Where a flight between two blows began. */
-typedef struct pm_integral_at {
-    double t, sum, weight;
-} pm_integral_at;
 
 /* What an ask has gathered so far.  f: its program, of root mean squares the square of it. */
 typedef struct pm_integral {
@@ -17,8 +13,9 @@ typedef struct pm_integral {
     double size;              /* greatest |f| at a node */
     double terms;             /* about the integral of |f| */
     double error;             /* of the sum, as the quadrature tells it */
-    pm_integral_at flight[3]; /* of the last two, and of the one that begins */
-    double leap, leap_weight; /* means over a series of flights that may be passed at once */
+    double weight_error;      /* s, of the weight, as series tell it that are not followed */
+    double last, last_weight; /* f, and whether its condition holds, at the end of the last step */
+    pm_integral_tail leap, leap_weight; /* of a series of flights that may be passed at once */
 } pm_integral;
 
 /* Of each ask; PM_NO_MEMORY. */
@@ -31,12 +28,8 @@ double pm_integral_answer(pm_workspace *w, int ask);
 /* How large the terms of the answer are: it is an integral of what may have either sign. */
 double pm_integral_terms(const pm_workspace *w, int ask);
 
-/* A flight between two blows begins. */
-void pm_integral_mark(pm_workspace *w);
-/* A series of flights, each e times as long as the one before and alike, takes `time` from now on: what it adds is noted for
- * pm_integral_leap; 0 if the last two flights do not tell it. */
-int pm_integral_leap_is_clear(pm_workspace *w, int ask, double e, double time);
-/* The series is passed. */
-void pm_integral_leap(pm_workspace *w, double time);
+static inline int pm_integral_is_percentile(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_PERCENTILE; }
+/* Of root mean squares the square of the program is integrated. */
+static inline int pm_integral_is_squared(const int32_t *e) { return e[PM_ASK_KIND] == PM_ASK_RMS; }
 
 #endif

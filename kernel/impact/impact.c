@@ -26,6 +26,7 @@
 #include "equations/ledger.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
+#include "events/integral_series.h"
 #include "events/last_bounce.h"
 #include "impact/contact_modes.h"
 #include "impact/impact_parts.h"
@@ -34,6 +35,7 @@
 #include "state/arena.h"
 #include "state/evidence.h"
 #include "state/frame.h"
+#include "state/route.h"
 #include "state/workspace.h"
 
 /* ---- memory ---- */
@@ -87,6 +89,16 @@ static int rests_beside(const pm_workspace *w, int contact, pm_touch *x)
            !pm_contact_modes_released(w->model, &w->instant, contact, x->member);
 }
 
+/* At a time of the scene, to which the route has found no contact that closes: one that has left by its last blow is in flight, however
+ * low it flies. */
+static int is_in_flight(const pm_workspace *w, int contact)
+{
+    const pm_bounce_series *x = &w->event->series[contact];
+    return w->event->at_due && !w->event->at_root && !w->model->acts && x->known > 0 &&
+           x->struck[0] < w->state.t && pm_contact_is_open(w->model, &w->state, contact) &&
+           w->phase.route->locates_contacts;
+}
+
 /* Nothing moves in a blow: what is open and does not touch before it does not touch after it. */
 static int touches(pm_workspace *w, int contact, pm_touch *x)
 {
@@ -96,6 +108,7 @@ static int touches(pm_workspace *w, int contact, pm_touch *x)
     if (pm_capture_is_meeting(w->model, contact))
         return pm_capture_meets(&w->numbers, &w->evidence, contact,
                                 pm_contact_gap(&w->frame, &w->state, contact, &x->member));
+    if (is_in_flight(w, contact)) return 0;
     if (!pm_contact_touches(&w->frame, &w->state, contact, &x->member)) {
         w->blow->apart[contact] = pm_contact_is_open(w->model, &w->state, contact) ? PM_APART : PM_NOT_APART;
         return rests_beside(w, contact, x);
@@ -142,6 +155,7 @@ static int find_touching(pm_workspace *w, pm_blow *b, int *struck)
             if (x.approaches) {
                 pm_trigger_mark(w->model, &w->firing, PM_TRIGGER_STRIKE, i);
                 pm_bounce_series_strike(w, i, fabs(x.rate));
+                pm_integral_series_mark(w, i);
             }
             ++*struck;
         }

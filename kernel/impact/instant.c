@@ -12,6 +12,7 @@
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/event_search.h"
+#include "events/flight_firings.h"
 #include "events/history.h"
 #include "events/step.h"
 #include "events/track.h"
@@ -132,6 +133,7 @@ static int carry_out(pm_workspace *w)
 static void fire(pm_workspace *w)
 {
     while (pm_trigger_count_marked(w) && w->model->programs.wait_for_counts) pm_trigger_look_after(w);
+    pm_flight_firings_note(w);
     pm_event_evidence_close(w);
     for (int event = 0; event < w->model->rows[PM_TABLE_EVENT]; event++)
         if (w->firing.counted[event] == PM_COUNTED_FIRED) pm_ask_fired(w, event);
@@ -312,6 +314,7 @@ static int looks_at_accelerations(const pm_workspace *w)
 int pm_instant_full(pm_workspace *w, int *ended)
 {
     *ended = 0;
+    pm_blows_left_count(w);
     pm_frame_look_state(&w->frame, &w->state);
     int status = pm_progress_check(w);
     if (!status) status = pm_history_append(w, 1);
@@ -346,6 +349,7 @@ int pm_instant_mark(pm_workspace *w, int *ended)
 {
     const int level = level_of_mark(w);
     int status = pm_history_append(w, 1);
+    pm_blows_left_count(w);
     pm_frame_look_state(&w->frame, &w->state);
     if (!status && level == PM_LEVEL_DYNAMIC) status = pm_step_react(w);
     if (status) return status;

@@ -294,6 +294,8 @@
 #define PM_BOUNCE_SPENT 1e-6 /* of the scene's speed: a rebound that cannot be seen and is slower is over; likewise */
 #define PM_BOUNCE_UNKNOWN 30.0 /* times PM_LAST_BOUNCE: heights are known to some percent; larger: fewer blows are decisions */
 #define PM_BLOWS_LEFT_TOGETHER 100 /* blows of a series within the rounding of its end that are counted one by one; more: slower */
+#define PM_FIRINGS_ALIKE 1e-2 /* of a flight: what fires at this part of two of them fires in each; larger: what happens once is taken for a series, smaller: series that rounding blurs are missed */
+#define PM_FIRINGS_ON_ZERO 1e-6 /* of what a trigger watches in the last flight: it is on its zero at the end of the series; larger: what ends later is called countless, smaller: so is rounding */
 #define PM_BLOWS_LEFT_SURE 1.5 /* times what is left out at a blow that is not computed: ratios are known to some percent; larger: errors are estimated too large */
 #define PM_BOUNCE_EARLIER 4.0 /* times PM_LAST_BOUNCE in a coarse run: shows what the cut loses; larger: errors are estimated too large */
 

@@ -18,6 +18,7 @@
 #include "events/event_multiple.h"
 #include "events/event_search.h"
 #include "events/history.h"
+#include "events/integral_series.h"
 #include "events/motion_course.h"
 #include "events/step.h"
 #include "events/step_window.h"
@@ -76,6 +77,7 @@ static double next_due(const pm_workspace *w)
 /* The step has ended when triggers on time are due. */
 static int mark_due(pm_workspace *w)
 {
+    pm_integral_series_end(w);
     int any = pm_blows_left_strike(w) | pm_bounce_series_end(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_TRIGGER]; i++) {
         if (w->event->due[i] > w->state.t) continue;

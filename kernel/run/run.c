@@ -17,6 +17,7 @@
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/blows_left.h"
+#include "events/flight_firings.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/history.h"
@@ -61,6 +62,7 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     w->event->nfunction = 0;
     pm_bounce_series_begin(w);
     pm_blows_left_forget(w);
+    pm_flight_firings_forget(w);
     w->step.reverses = 0;
     pm_joint_friction_release(w);
     pm_evidence_begin(w->model, &w->evidence);

@@ -16,6 +16,7 @@
 #include "equations/solve_cache.h"
 #include "events/ask.h"
 #include "events/blows_left.h"
+#include "events/flight_firings.h"
 #include "events/event.h"
 #include "events/motion_course.h"
 #include "events/time_course.h"
@@ -135,6 +136,7 @@ static int create_rooms(pm_workspace *w)
     if (!status) status = pm_time_course_create(w);
     if (!status) status = pm_event_create(w);
     if (!status) status = pm_blows_left_create(w);
+    if (!status) status = pm_flight_firings_create(w);
     if (!status) status = pm_ask_create(w);
     if (!status) status = pm_waves_create(w);
     if (!status) status = pm_motion_course_create(w);

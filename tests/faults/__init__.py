@@ -15,6 +15,7 @@ from tests.faults import (
     events,
     events_asked,
     events_bracketed,
+    events_series,
     expression,
     impact_blows,
     impact_courses,
@@ -48,7 +49,7 @@ BY_ROOM: dict[str, list[Fault]] = {
     "scene": scene.FAULTS,
     "equations": equations_active.FAULTS + equations_solved.FAULTS,
     "tree": tree.FAULTS,
-    "events": events.FAULTS + events_bracketed.FAULTS + events_asked.FAULTS,
+    "events": events.FAULTS + events_bracketed.FAULTS + events_asked.FAULTS + events_series.FAULTS,
     "impact": impact_blows.FAULTS
     + impact_courses.FAULTS
     + impact_instants.FAULTS

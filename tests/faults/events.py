@@ -12,14 +12,14 @@ FAULTS = [
     Fault(
         "jump: its blows can be counted",
         "events/blows_left.c",
-        "pm_bounce_series_is_endless(w, contact) ? PM_UNCOUNTED : PM_COUNTLESS);",
+        "endless ? PM_UNCOUNTED : PM_COUNTLESS);",
         "0);",
     ),
     Fault(
         "blows left: nothing ever waits for one",
         "events/blows_left.c",
-        "if (!waits || !contact_awaits(w, contact, is_awaited)) {",
-        "if (!waits || contact >= 0) {",
+        "x->counted = !contact_awaits(w, i, is_awaited);",
+        "x->counted = 1;",
     ),
     Fault(
         "blows left: their flights are alike",
@@ -279,7 +279,7 @@ FAULTS = [
     Fault(
         "series: a body in its last bounces rests",
         "events/bounce_series.c",
-        "if (is_going_on(w, i) && (body",
+        "if (pm_bounce_series_goes_on(w, i) && (body",
         "if (0 && (body",
     ),
     Fault(

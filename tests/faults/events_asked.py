@@ -316,18 +316,6 @@ FAULTS = [
         "return;",
     ),
     Fault(
-        "integral: a series of flights adds nothing",
-        "events/integral.c",
-        "x->sum += x->leap * time;",
-        "",
-    ),
-    Fault(
-        "integral: a series is passed whatever its last flights tell",
-        "events/integral.c",
-        "return change * time <= open * x->size && of_weight * time <= open;",
-        "return 1;",
-    ),
-    Fault(
         "integral: the condition takes no time from a mean",
         "events/integral.c",
         "e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 1 : x->weight",

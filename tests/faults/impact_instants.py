@@ -278,4 +278,10 @@ FAULTS = [
         "f->direction * change > PM_BEYOND * natural;",
         "1;",
     ),
+    Fault(
+        "impact: what flies low is struck at a time of the scene",
+        "impact/impact.c",
+        "if (is_in_flight(w, contact)) return 0;",
+        "",
+    ),
 ]

@@ -135,3 +135,50 @@ def test_such_a_mass_may_be_asked_for_later_on(route: str) -> None:
     assert result.asks["hits"].reason != "infinite"
     waits = text.replace('"t = 20 s"', '"hit.count > 40"')
     assert planemotion.load_text(waits).with_values({"solve.route": route}).run().status == "bounces_on"
+
+
+def bouncing(until: str, e: float, route: str, asks: str) -> planemotion.RunResult:
+    return planemotion.load_text(f"""
+until = "{until}"
+ground.lines.floor = {{ through = [0, 0] }}
+bodies.b = {{ mass = "1 kg", at = [0, "1 m"] }}
+contacts.floor = {{ touch = ["b", "ground.floor"], restitution = {e} }}
+events.strike = "floor strikes"
+events.up = "b.velocity.y > 0"
+[ask]
+strikes = "strike.count"
+ups = "up.count"
+times = {{ of = "t", at = "each up" }}
+{asks}
+[solve]
+route = "{route}"
+""").run()
+
+
+@pytest.mark.parametrize("route", ROUTES)
+@pytest.mark.parametrize("e", [0.1, 0.5, 0.8])
+def test_what_happens_at_each_bounce_is_as_countless_as_they_are(route: str, e: float) -> None:
+    result = bouncing("b rests", e, route, 'period = { period = "b.velocity.y" }')
+    assert result.status == "ok"
+    for name in ("strikes", "ups"):
+        assert result.asks[name].value is None
+        assert result.asks[name].reason == "infinite"
+    times = result["times"]
+    assert isinstance(times, list)
+    fall = math.sqrt(2 / 9.81)
+    for k, time in enumerate(times[:12]):
+        assert time == pytest.approx(fall * (1 + 2 * e * (1 - e**k) / (1 - e)), rel=1e-9)
+    assert len(times) >= 12
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_run_that_ends_among_them_counts_them(route: str) -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(6):
+        e, n = float(f"{rng.uniform(0.1, 0.6):.3g}"), int(rng.integers(2, 8))
+        fall = math.sqrt(2 / 9.81)
+        end = fall * (1 + 2 * e * (1 - e ** (n - 0.5)) / (1 - e))
+        result = bouncing(f"t = {end!r} s", e, route, "")
+        assert result.status == "ok"
+        assert result["strikes"] == n
+        assert result["ups"] == n

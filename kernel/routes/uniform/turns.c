@@ -19,6 +19,7 @@
 #include "events/awaited.h"
 #include "events/bounce_series.h"
 #include "events/event.h"
+#include "events/integral_series.h"
 #include "events/event_search.h"
 #include "impact/contact_modes.h"
 #include "numerics/minmax.h"
@@ -324,7 +325,10 @@ static void count_blows(pm_workspace *w, const pm_wedge *x, int64_t pairs)
             w->firing.count[event] += more; /* else it has no number */
         w->firing.time[event] = last;
     }
-    for (int k = 0; k < 2; k++) pm_bounce_series_forget(w, x->contact[k]);
+    for (int k = 0; k < 2; k++) {
+        pm_bounce_series_forget(w, x->contact[k]);
+        pm_integral_series_forget(w, x->contact[k]);
+    }
 }
 
 /* The gap of A closes at the end of the step, and nothing else happens. */

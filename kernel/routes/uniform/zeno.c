@@ -31,7 +31,7 @@
 #include "events/ask.h"
 #include "events/awaited.h"
 #include "events/event.h"
-#include "events/integral.h"
+#include "events/integral_series.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "routes/uniform/uniform.h"
@@ -87,7 +87,6 @@ static int is_alike(const pm_frame *frame, const pm_uniform *uniform, const doub
 void pm_zeno_begin(pm_workspace *w)
 {
     pm_series *x = &w->uniform->series;
-    pm_integral_mark(w);
     if (!follows_a_blow(w) ||
         pm_capture_holds(w->model, &w->state)) { /* what a captured pair takes over is not thought through */
         pm_zeno_reset(w->uniform);
@@ -151,6 +150,12 @@ static void end_of_series(pm_uniform *u, int nq, const pm_rest *r, double *q, do
     }
 }
 
+static void look_at_end(pm_workspace *w, const pm_rest *r)
+{
+    end_of_series(w->uniform, w->model->nq, r, w->uniform->q_look, w->uniform->v_look);
+    pm_uniform_look_there(w, r->time);
+}
+
 /* A trigger of the motion that the rest of the series may fire; what ends the step is none. */
 static int may_fire(pm_workspace *w, const pm_rest *r, int trigger, pm_outlook *x)
 {
@@ -164,10 +169,8 @@ static int may_fire(pm_workspace *w, const pm_rest *r, int trigger, pm_outlook *
 /* All flights are alike to it, down to the smallest: at the end of the series it is on its zero. */
 static int fires_alike(pm_workspace *w, const pm_rest *r, int trigger, const pm_outlook *x)
 {
-    pm_uniform *u = w->uniform;
     const int32_t *e = PM_TRIGGER_ROW(w->model, trigger);
-    end_of_series(u, w->model->nq, r, u->q_look, u->v_look);
-    pm_frame_look(&w->frame, u->t0 + r->time, u->q_look, u->v_look, w->state.z, w->state.memory);
+    look_at_end(w, r);
     const double p = pm_trigger_program(w, trigger);
     const double off = e[PM_TRIGGER_KIND] == PM_TRIGGER_EVERY ? p - round(p) : p;
     return fabs(off) <= PM_ZENO_GEOMETRIC * (x->greatest - x->least);
@@ -222,7 +225,9 @@ static int observers_are_clear(pm_workspace *w, const pm_rest *r)
         case PM_ASK_MIN:
         case PM_ASK_AT_MIN: clear = x.falls || x.least >= w->ask->best[ask]; break;
         case PM_ASK_GRID: clear = grid_is_clear(&w->numbers, w->ask, e, &x); break;
-        default: clear = pm_integral_leap_is_clear(w, ask, r->e, r->time);
+        default:
+            look_at_end(w, r);
+            clear = pm_integral_series_is_clear(w, r->contact, ask, r->e, r->time);
         }
         if (!clear) return 0;
     }
@@ -381,7 +386,7 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     add_forces(w, &r, q);
     add_blows(w, &r, q, v);
     w->state.t = w->firing.jumped = u->t0 + r.time; /* by its last blow */
-    pm_integral_leap(w, r.time);
+    pm_integral_series_leap(w, r.time);
     pm_step_set(&w->step, w->state.t, w->state.t);
     w->result.count[PM_COUNT_JUMPS]++;
     pm_trigger_lose_strikes(w, contact, PM_COUNTLESS);
