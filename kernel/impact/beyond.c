@@ -29,7 +29,7 @@ static int changes_course(const pm_event_set *e, const pm_step *step)
     return step->reverses;
 }
 
-/* It has just fired by its zero on the way up, or down, and reads places and speeds. */
+/* It fires on the way up, or down, and reads places and speeds. */
 static int may_stay(const pm_workspace *w, const pm_event_function *f)
 {
     const int program = PM_TRIGGER_ROW(w->model, f->index)[PM_TRIGGER_PROGRAM];
@@ -64,7 +64,7 @@ int pm_beyond_leave_out(pm_workspace *w)
     if (!changes_course(e, &w->step)) return PM_OK;
     for (int i = 0; i < e->ntrigger; i++) {
         const pm_event_function *f = &e->function[i];
-        if (!may_stay(w, f)) continue;
+        if (!e->hit[i] || !may_stay(w, f)) continue;
         if (!looked) {
             move_on(w, pm_case_shift(w, &w->probe) * w->numbers.size / w->numbers.speed, &w->ahead);
             looked = 1;
