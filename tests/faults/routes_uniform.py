@@ -194,4 +194,10 @@ FAULTS = [
     Fault(
         "turns: too late", "routes/uniform/turns.c", "if (last.time < time &&", "if (last.time < 2 * time &&"
     ),
+    Fault(
+        "uniform: what goes over an end comes near to it",
+        "routes/uniform/uniform_edge.c",
+        "is_leaving(&w->frame, &edge) ? pm_contact_length(&w->frame) : -INFINITY",
+        "-INFINITY",
+    ),
 ]

@@ -90,7 +90,7 @@ int pm_path_prepare(pm_workspace *w)
     pm_frame_look_state(&w->frame, &w->state);
     pm_tree_read(w->tree, &w->frame, x->y);
     pm_path_open_begin(w);
-    if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
+    if (pm_path_look(w, x) || pm_path_drive(w, x) || pm_path_meet(w, x)) return 0;
     const double rate = rate_of(&w->frame, x, w->state.v);
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;
