@@ -1,4 +1,4 @@
-/* Errors that are told cover the true ones: ends of edges and curves, places where a motion turns back, beads on curves. */
+/* Errors that are told cover the true ones: ends of edges, places where a motion turns back, beads on curves, times of extremes. */
 #include <math.h>
 
 #include "check.h"
@@ -58,6 +58,7 @@ static void bead(void)
     scene_until(s, scene_when(s, PM_TRIGGER_CROSS, scene_read(s, at)), n);
     const int v = scene_ask_measure(s, scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_X));
     *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_PATH;
+    *scene_setting(s, PM_SETTING_MAX_TIME) = PM_NONE;
     EQUAL(scene_run(s, NULL), PM_OK);
     const long double speed = x * sqrtl((long double)G / (2 * (long double)focus));
     covers(s, v, n % 2 ? -speed : speed);
@@ -86,11 +87,34 @@ static void turns_back(void)
     scene_free(s);
 }
 
+/* The time of the top of a throw with linear drag, on other steps than those that end there: its rate is known, and no difference
+ * of heights. */
+static void time_of_top(void)
+{
+    const double k = logarithmic(0.01, 10), up = logarithmic(1, 100);
+    scene *s = estimating(1e-12);
+    const int b = scene_body(s, 1, 0, 0, 0, 0), p = scene_point(s, b, 0, 0);
+    const scene_code vy = scene_m(scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y));
+    scene_applied(s, p, PM_GROUND, SCENE_PROGRAM(s, scene_k(s, 0)),
+                  SCENE_PROGRAM(s, vy, scene_k(s, -k), scene_op(PM_OP_MUL)));
+    scene_start_velocity(s, p, 1, up);
+    const double top = log1p(k * up / G) / k;
+    const int y = scene_part(s, PM_MEASURE_POSITION, p, PM_PART_Y);
+    const int when = scene_ask_extreme(s, PM_ASK_AT_MAX, scene_read(s, scene_time(s)), scene_read(s, y));
+    scene_until_time(s, check_random(1.2, 2) * top);
+    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
+    EQUAL(scene_run(s, NULL), PM_OK);
+    covers(s, when, log1pl((long double)k * up / G) / k);
+    NEAR(s->out[when], top, 3e-14 * top);
+    scene_free(s);
+}
+
 int main(void)
 {
     static const int route[] = {PM_ROUTE_AUTO, PM_ROUTE_RK, PM_ROUTE_IDA};
     for (int i = 0; i < 90; i++) leaves_an_edge(route[i % 3]);
     for (int i = 0; i < 60; i++) bead();
     for (int i = 0; i < 60; i++) turns_back();
+    for (int i = 0; i < 60; i++) time_of_top();
     return check_failures();
 }
