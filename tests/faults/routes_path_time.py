@@ -84,7 +84,7 @@ FAULTS = [
     Fault(
         "path: the first place meets its loops as the state does",
         "routes/path/path_begin.c",
-        "|| pm_path_meet(w, x)",
-        "",
+        "!is_balanced(&w->frame, x) && pm_path_meet(w, x)",
+        "0",
     ),
 ]
