@@ -87,7 +87,7 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
 {
     double worst = place(w, y, q, loops), before = INFINITY;
     for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
-        if (worst <= PM_LOOP_FINEST * w->numbers.size ||
+        if (worst <= PM_MET * w->numbers.size ||
             (worst <= PM_LOOP_STALLED * w->numbers.size && worst > PM_LOOP_GAIN * before)) {
             w->tree->part.open = pm_max(worst, w->tree->part.open);
             return PM_OK;

@@ -157,4 +157,4 @@ ask.v = "b.speed"
         )
         assert beyond(result, {"v": speed}) <= 1
         of_energy = abs(float(number(result["v"]) / speed - 1)) * float(speed) ** 2
-        assert of_energy <= n * 2e-14 * (focus + float(speed) ** 2)
+        assert of_energy <= n * 5e-13 * (focus + float(speed) ** 2)
