@@ -17,6 +17,11 @@ double pm_contact_length(const pm_frame *frame)
 {
     return PM_TOUCHING * frame->numbers->coarse * frame->numbers->size;
 }
+double pm_contact_end(const pm_frame *frame, const double at[2])
+{
+    const double far = pm_max(fabs(at[0]), fabs(at[1]));
+    return PM_EDGE_END * frame->numbers->coarse * pm_max(frame->numbers->size, far);
+}
 double pm_contact_speed(const pm_frame *frame)
 {
     return PM_NO_SPEED * frame->numbers->coarse * frame->numbers->speed;

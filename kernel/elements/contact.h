@@ -80,6 +80,8 @@ int pm_contact_friction_jumps(const pm_frame *frame, int contact);
 /* Gaps below this count as touching, m; normal and tangential speeds below this count as none, m/s. */
 double pm_contact_length(const pm_frame *frame);
 double pm_contact_speed(const pm_frame *frame);
+/* How far beyond an end of an edge or a curve a mark that is at[2] counts as at that end, m: what rounding makes of it. */
+double pm_contact_end(const pm_frame *frame, const double at[2]);
 /* How far bodies are from the origin, at least the scene's size: what the rounding of positions goes by, m. */
 double pm_contact_reach(const pm_workspace *w);
 

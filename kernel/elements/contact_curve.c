@@ -104,6 +104,13 @@ static void centre_of(const pm_frame *frame, int contact, double x[2])
     x[1] = -pose[4] * d[0] + pose[3] * d[1];
 }
 
+/* So far beyond an end it is still there. */
+static double reach_of(const pm_frame *frame, int contact)
+{
+    const pm_constraint *c = &frame->numbers->of_contact[contact];
+    return pm_contact_end(frame, pm_frame_point(frame, c->body[0], c->a[0], c->a[1]).p);
+}
+
 static int is_end(int member) { return member > PM_CURVE_NODES; }
 static int end_node(int member) { return member == PM_CURVE_FROM_END ? 0 : PM_CURVE_NODES; }
 
@@ -142,7 +149,7 @@ static int nearest(const pm_frame *frame, const pm_state *s, int contact, pm_cur
     centre_of(frame, contact, x);
     const pm_curve_taken taken = taken_of(frame, s, contact, x);
     const int found = pm_curve_feet_nearest(frame, curve_of(frame->model, contact), x, &taken, near);
-    if (found) near->beyond = fmax(near->beyond - pm_contact_length(frame), 0); /* as far as it stands */
+    if (found) near->beyond = fmax(near->beyond - reach_of(frame, contact), 0); /* as far as it stands */
     return found;
 }
 
@@ -270,7 +277,7 @@ double pm_contact_curve_room(const pm_frame *frame, int slot, int member)
               on = pm_contact_curve_on(frame, slot, member, &normal);
     if (pm_contact_pair_is(frame->model, contact))
         return pm_contact_pair_room(frame, &normal, contact, member);
-    return on ? pm_constraint_curve_room(frame, &normal) + pm_contact_length(frame)
+    return on ? pm_constraint_curve_room(frame, &normal) + reach_of(frame, contact)
               : beyond_end(frame, contact, member);
 }
 

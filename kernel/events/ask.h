@@ -3,6 +3,7 @@
 #define PM_ASK_H
 
 #include "numerics/chebyshev_nodes.h"
+#include "elements/slope.h"
 #include "state/workspace.h"
 
 typedef struct pm_ask_set {
@@ -26,6 +27,7 @@ typedef struct pm_ask_set {
     struct pm_integral_flights *flights; /* [ncontact][nask] (integral_series.h), if any is an integral */
     struct pm_percentile *percentile; /* [nask] (percentile.h) */
     int fresh;                        /* something was filled since */
+    pm_slope slope;                   /* derivatives of a program at the frame */
     void *solver;                     /* gsl_root_fsolver */
     void *quadrature;                 /* gsl_integration_workspace */
 } pm_ask_set;

@@ -4,8 +4,10 @@
  * and the value is taken on an exact state there. */
 #include <math.h>
 
+#include "elements/force_action_slope.h"
 #include "events/extremum_parts.h"
 #include "events/step.h"
+#include "expression/program_class.h"
 #include "numerics/bracket.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -48,23 +50,53 @@ static pm_extremum_slope slope_here(pm_workspace *w, const pm_extremum *p, doubl
                                p->sign * h * pm_ask_along(w, t, &rate)};
 }
 
-/* Where something is asked at the extreme the place matters, not the value: t, where the rate by five values is zero, is put
- * right by a step of Newton's method with the rate by nine. */
-static double put_right(pm_workspace *w, const pm_extremum *p, double t)
+/* The rate of a program of places at t, by its derivatives and the velocities: differences round what they are of. */
+static double rate_of_places(pm_workspace *w, int program, double t)
+{
+    pm_slope *by = &w->ask->slope;
+    double rate = 0;
+    if (pm_ask_look(w, t, 1)) return NAN;
+    pm_slope_clear(by);
+    pm_force_add_program(w, program, 1, by);
+    for (int i = 0; i < 3 * by->n; i++) {
+        const int k = 3 * by->body[i / 3] + i % 3;
+        rate += by->q[k] * w->frame.v[k];
+    }
+    return rate;
+}
+
+/* From t to the root of the rate, by a step of Newton's method with rates so far apart. */
+static double shift_by_rates(pm_workspace *w, int program, double t, double apart)
+{
+    const double before = rate_of_places(w, program, t - apart), here = rate_of_places(w, program, t),
+                 after = rate_of_places(w, program, t + apart);
+    return -2 * apart * here / (after - before);
+}
+
+static double shift_by_values(pm_workspace *w, pm_ask_watch *x, double t, double apart)
 {
     static const double weight[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280}; /* central, order 8 */
+    const double here = pm_ask_along(w, t, x);
+    double rate = 0, bend = 0;
+    for (int k = 1; k <= 4; k++) {
+        const double before = pm_ask_along(w, t - k * apart, x),
+                     after = pm_ask_along(w, t + k * apart, x);
+        rate += weight[k - 1] * (after - before);
+        bend += (after - here - (here - before)) / (4.0 * k * k);
+    }
+    return -apart * rate / bend;
+}
+
+/* Where something is asked at the extreme the place matters, not the value: t, where the rate by five values is zero, is put
+ * right by a step of Newton's method with the rate as it is known, or by nine values. */
+static double put_right(pm_workspace *w, const pm_extremum *p, double t)
+{
     const pm_step *step = &w->step;
     pm_ask_watch x = watch_of(w, p, 0);
     const double d = PM_EXTREMUM_RATE_STEP * (step->end - step->begin);
     if (t - 4 * d < step->begin || t + 4 * d > step->sampled_end) return t;
-    const double here = pm_ask_along(w, t, &x);
-    double rate = 0, bend = 0;
-    for (int k = 1; k <= 4; k++) {
-        const double before = pm_ask_along(w, t - k * d, &x), after = pm_ask_along(w, t + k * d, &x);
-        rate += weight[k - 1] * (after - before);
-        bend += (after - here - (here - before)) / (4.0 * k * k);
-    }
-    const double shift = -d * rate / bend;
+    const int of_places = w->model->programs.class[x.program] == PM_CLASS_PLACE;
+    const double shift = of_places ? shift_by_rates(w, x.program, t, d) : shift_by_values(w, &x, t, d);
     return fabs(shift) < d ? t + shift : t;
 }
 

@@ -60,6 +60,7 @@
 #define PM_CENTRED 1e-15 /* of the scene's size: a mark so near is the mass centre; larger: what goes round is taken for steady */
 #define PM_STEADY_ROUNDING 1e-13 /* of speeds and accelerations in the scene: less is none; larger: slow motions are taken for rest */
 #define PM_BESIDE_TOUCHING 8 /* touching lengths: nearer gaps go with what counts as touching, and two passes are compared by that; larger: errors of gaps may go unseen */
+#define PM_EDGE_END 2e-15 /* of the scene's size, and of the distance from the origin: so far beyond an end a mark is at it; larger: it leaves late, smaller: rounding opens a way between edges that meet */
 #define PM_EDGE_BEHIND 1e-6 /* rad: an edge that leans by more lies behind a face; larger: corners of boxes that slide on each other catch */
 #define PM_EDGE_SUNK 8 /* touching lengths: so deep a mark may be sunk where others have come to rest, smaller: it falls through; larger: what comes up from behind touches early */
 #define PM_EDGE_HANDING_OVER 4 /* touching lengths: so near to their corner two edges in one line are both touched; larger: sooner */

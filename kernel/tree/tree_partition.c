@@ -13,6 +13,7 @@
 #include "elements/constraint.h"
 #include "elements/force.h"
 #include "numerics/dense.h"
+#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -87,8 +88,10 @@ int pm_tree_close(pm_workspace *w, double *y, double *q, const pm_loops *loops)
     double worst = place(w, y, q, loops), before = INFINITY;
     for (int sweep = 0; sweep < PM_LOOP_SWEEPS; sweep++) {
         if (worst <= PM_MET * w->numbers.size ||
-            (worst <= PM_LOOP_STALLED * w->numbers.size && worst > PM_LOOP_GAIN * before))
+            (worst <= PM_LOOP_STALLED * w->numbers.size && worst > PM_LOOP_GAIN * before)) {
+            w->tree->part.open = pm_max(worst, w->tree->part.open);
             return PM_OK;
+        }
         const int status = pm_tree_factor_dependent(w, loops->entry);
         if (status) return status;
         correct(w->tree, y);

@@ -196,4 +196,10 @@ FAULTS = [
         "return pm_constraint_cord_grip(given, pm_constraint_cord_wrap(frame, &c));",
         "return given;",
     ),
+    Fault(
+        "edge: what touches is at its end",
+        "elements/contact.c",
+        "return PM_EDGE_END * frame->numbers->coarse",
+        "return PM_TOUCHING * frame->numbers->coarse",
+    ),
 ]

@@ -369,4 +369,10 @@ FAULTS = [
         "e[PM_ASK_COUNT] > firing->count[event])",
         "0)",
     ),
+    Fault(
+        "extremum: the rate of places is known by differences alone",
+        "events/extremum_search.c",
+        "of_places ? shift_by_rates(w, x.program, t, d) :",
+        "",
+    ),
 ]

@@ -1,4 +1,4 @@
-"""Faults planted in `kernel/routes/path/`: errors of the time, and at given times."""
+"""Faults planted in `kernel/routes/path/`: errors of the time, at given times, and of places."""
 
 from tests.faults.fault import Fault
 
@@ -62,5 +62,29 @@ FAULTS = [
         "routes/path/path_error_time.c",
         "(w->path->clock.error + x.late + PM_ERROR_TIME_ROUNDINGS * fabs(w->frame.t)) / x.dt",
         "1e-30 / x.dt",
+    ),
+    Fault(
+        "path: the place where a motion turns back is exact",
+        "routes/path/path_error.c",
+        "by_kinetic + pm_path_aside_turn(w, program, value);",
+        "by_kinetic;",
+    ),
+    Fault(
+        "path: what is left of loops does no work",
+        "routes/path/path_error.c",
+        "if (!(more > 0)) return;",
+        "return;",
+    ),
+    Fault(
+        "path: from rest it does not turn back before the first node",
+        "routes/path/path_step.c",
+        "turns_before(p, k) ? nodes->at[k] * p->h : 0;",
+        "0;",
+    ),
+    Fault(
+        "path: the first place meets its loops as the state does",
+        "routes/path/path_begin.c",
+        "!is_balanced(&w->frame, x) && pm_path_meet(w, x)",
+        "0",
     ),
 ]

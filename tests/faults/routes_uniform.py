@@ -206,4 +206,10 @@ FAULTS = [
         "w->state.t = w->firing.jumped = u->t0 + r.time;",
         "w->state.t = u->t0 + r.time;",
     ),
+    Fault(
+        "uniform: what goes over an end comes near to it",
+        "routes/uniform/uniform_edge.c",
+        "is_leaving(&w->frame, &edge) ? pm_contact_length(&w->frame) : -INFINITY",
+        "-INFINITY",
+    ),
 ]

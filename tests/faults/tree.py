@@ -208,4 +208,10 @@ FAULTS = [
         "if (GSL_IMAG(root[i]) < 0) continue;",
         "if (GSL_IMAG(root[i]) < -1e99) continue;",
     ),
+    Fault(
+        "tree: loops are closed as soon as they touch",
+        "tree/tree_partition.c",
+        "worst > PM_LOOP_GAIN * before)) { w->tree->part.open",
+        "1)) { w->tree->part.open",
+    ),
 ]

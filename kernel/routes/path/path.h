@@ -169,6 +169,10 @@ void pm_path_measure_forces(pm_workspace *w, pm_place *place);
 /* Chooses the coordinate that moves most as driver, unless the present one still does, and gives the place by it. */
 int pm_path_drive(pm_workspace *w, pm_place *place);
 
+/* Closes the loops at a first place, its driver kept, as exactly as at all places that follow: the energies do not know what
+ * forces would do on what is left.  A place that the constraints do not determine well stays as it is. */
+int pm_path_meet(pm_workspace *w, pm_place *place);
+
 /* path_step.c: a step from node 0, at most `full` long, into w->path. */
 int pm_path_take_step(pm_workspace *w, double full);
 /* path_cycle.c: whether p->begin is like node 0, and all nodes are determined. */
@@ -257,6 +261,8 @@ int pm_path_aside_create(pm_workspace *w);
 int pm_path_aside_is_timed(const pm_workspace *w, int ask);
 /* The error of out[column] = value at the frame, which it has at that time; by_kinetic: what the error of T makes of it there. */
 double pm_path_aside_error(pm_workspace *w, int ask, int column, double value, double by_kinetic);
+/* What the error of T makes of the program where the motion turns back, if the frame looks there: the place is off; else 0. */
+double pm_path_aside_turn(pm_workspace *w, int program, double value);
 /* s, of the time at the place at which the frame looks. */
 double pm_path_aside_clock(pm_workspace *w);
 /* See state/route.h. */

@@ -51,12 +51,16 @@ static double requested_side(pm_workspace *w, const pm_place *x)
     return side > 0 ? 1 : side < 0 ? -1 : 0;
 }
 
+static int is_balanced(const pm_frame *frame, const pm_place *x)
+{
+    return !(fabs(x->force) > PM_PATH_BALANCED * pm_path_force_size(frame, x));
+}
+
 /* At rest the forces tell which way it goes; 0: it stays. */
 static int leave_rest(pm_workspace *w, const pm_place *x)
 {
     pm_path *p = w->path;
-    const double size = pm_path_force_size(&w->frame, x);
-    p->balanced = !(fabs(x->force) > PM_PATH_BALANCED * size);
+    p->balanced = is_balanced(&w->frame, x);
     p->sense = p->balanced ? requested_side(w, x) : (x->force > 0 ? 1 : -1);
     return p->sense != 0;
 }
@@ -91,6 +95,8 @@ int pm_path_prepare(pm_workspace *w)
     pm_tree_read(w->tree, &w->frame, x->y);
     pm_path_open_begin(w);
     if (pm_path_look(w, x) || pm_path_drive(w, x)) return 0;
+    /* an equilibrium stays where it is: forces do no work beside it */
+    if (!is_balanced(&w->frame, x) && pm_path_meet(w, x)) return 0;
     const double rate = rate_of(&w->frame, x, w->state.v);
     x->kinetic = 0.5 * x->mass * rate * rate;
     p->sense = rate > 0 ? 1 : -1;

@@ -1,7 +1,8 @@
 /* path_error.c - errors along paths.
  *
- * Places on a path carry no error but rounding; T does: it is rounded with the energies that make it, in every step, and
- * a blow that leaves m T_end leaves m times the error.  An answer f(place, T) is then known to |df/dT| dT, by a difference.
+ * Places on a path carry no error but rounding, save where the motion turns back (path_error_time.c); T does: it is rounded
+ * with the energies that make it, in every step, and a blow that leaves m T_end leaves m times the error.  An answer f(place, T)
+ * is then known to |df/dT| dT, by a difference.
  * The time's error is that of its quadrature, and what T makes of it; what is asked at a time is late by it
  * (path_error_time.c).  All this holds as long as places alone, or the time alone, decide when something happens; where
  * speeds or forces do, the run says nothing of its errors, and accuracy.c makes its coarse run.  Events that speeds or forces
@@ -28,6 +29,18 @@
 #include "state/frame.h"
 #include "state/workspace.h"
 
+/* What closes loops is met to rounding: forces do work on what is left of it, at the worst place of the phase.  (It is no sum: the
+ * energy is that of the first place.) */
+static void take_loops(pm_workspace *w)
+{
+    const double more = w->tree->part.open - w->tree->part.known;
+    double forces = 0;
+    if (!(more > 0)) return;
+    for (int i = 0; i < w->model->nq; i += 3) forces += pm_length(w->frame.f + i);
+    w->path->error += more * forces;
+    w->tree->part.known = w->tree->part.open;
+}
+
 /* What T is off by where the last digits of coordinates are lost: the place at which the phase before ended, and where its
  * constraints were met anew, are rounded, and forces do work on what is lost. */
 static double rounding_of_place(const pm_workspace *w)
@@ -47,6 +60,7 @@ void pm_path_error_begin(pm_workspace *w)
     if (p->ended > 0) p->error *= kinetic / p->ended;
     p->ended = 0;
     p->error += PM_ENERGY_ROUNDINGS * kinetic + (is_first ? 0 : rounding_of_place(w));
+    take_loops(w);
 }
 
 void pm_path_error_end(pm_workspace *w) { w->path->ended = pm_frame_kinetic(&w->frame, PM_NONE); }
@@ -91,6 +105,7 @@ void pm_path_error_step(pm_workspace *w, double kinetic)
 {
     pm_path *p = w->path;
     p->error = pm_path_error_after(p, kinetic);
+    take_loops(w);
     step_of_clock(w->model, &w->state, p);
     if (w->evidence.active && w->state.t > 0)
         w->evidence.present->late = pm_path_error_unresolved(&p->clock) / w->state.t;
@@ -313,7 +328,7 @@ static double error_of_state(pm_workspace *w, int ask, int column, double value)
     if (w->model->programs.class[program] == PM_CLASS_CONSTANT) return 0;
     const double by_kinetic = error_of_motion(w, program, value);
     return pm_path_aside_is_timed(w, ask) ? pm_path_aside_error(w, ask, column, value, by_kinetic)
-                                          : by_kinetic;
+                                          : by_kinetic + pm_path_aside_turn(w, program, value);
 }
 
 /* Asked where another value has its extreme (a count has it where it is counted), or one of a list, and that goes with T: what T

@@ -12,8 +12,8 @@
  *   |df/du| dT / |F| + |df/dt| dt    d/du along the path, T kept
  *
  * holds, too, with what rounds T at the one place, and the lesser of both is the error.  All are differences to a state of the
- * step beside.  Functions that have not fired by then are as far off as that makes them; those of the time alone are, at places
- * that are met exactly. */
+ * step beside.  Where the motion turns back, and no time sets the instant, the place itself is off by dT / |F|.  Functions that
+ * have not fired by then are as far off as that makes them; those of the time alone are, at places that are met exactly. */
 #include "routes/path/path.h"
 
 #include <math.h>
@@ -134,23 +134,31 @@ static double late_by(const pm_path *p, double t, const pm_path_beside *x)
     return fmin(to_rest, fabs(t - p->clock.t0)) * (sqrt(1 + p->error / x->before) - 1);
 }
 
+/* The frame looks at the place `there` of the step, at its own time; 0: it stays where it is. */
+static int look_at(pm_workspace *w, double there)
+{
+    pm_state *s = &w->path->aside.state;
+    const double t = w->frame.t;
+    swap_frame(w);
+    w->path->aside.own.level = PM_LEVEL_KINEMATIC;
+    if (pm_route_path.at(w, there, s)) {
+        pm_path_aside_back(w);
+        return 0;
+    }
+    pm_frame_look(&w->frame, t, s->q, s->v, s->z, w->state.memory);
+    return 1;
+}
+
 /* The frame looks beside, at its own time; 0: it stays where it is. */
 static int look_beside(pm_workspace *w, pm_path_beside *x)
 {
     pm_path *p = w->path;
-    pm_state *s = &p->aside.state;
     const double t = w->frame.t, here = place_in_step(w), there = beside(p, here);
     if (isnan(here) || p->clock.kind == PM_CLOCK_NONE) return 0;
     x->before = p->ended > 0 ? p->ended : pm_frame_kinetic(&w->frame, PM_NONE); /* before a blow */
     x->way = fabs(there - here);
     x->dt = fabs(pm_path_clock_between(p, here / p->h, there / p->h));
-    swap_frame(w);
-    p->aside.own.level = PM_LEVEL_KINEMATIC;
-    if (!(x->dt > 0) || pm_route_path.at(w, there, s)) {
-        pm_path_aside_back(w);
-        return 0;
-    }
-    pm_frame_look(&w->frame, t, s->q, s->v, s->z, w->state.memory);
+    if (!(x->dt > 0) || !look_at(w, there)) return 0;
     x->after = pm_frame_kinetic(&w->frame, PM_NONE);
     x->late = late_by(p, t, x);
     return 1;
@@ -236,6 +244,16 @@ static double error_near_rest(pm_workspace *w, int program, double value, double
                  by_rounding = x->before > 0 ? by_kinetic * fmin(rounded_kinetic(p, x) / p->error, 1) : 0;
     return fmin(by_kinetic + by_time(x, all, along, dt + x->late),
                 by_place + by_rounding + by_time(x, all, along, dt));
+}
+
+double pm_path_aside_turn(pm_workspace *w, int program, double value)
+{
+    const pm_path *p = w->path;
+    const double there = beside(p, p->h), stops = fabs(p->node[PM_NODES_MOST - 1].force);
+    if (!w->step.reverses || pm_frame_kinetic(&w->frame, PM_NONE) > 0 || !look_at(w, there)) return 0;
+    const double along = value_at(w, program, 0) - value;
+    pm_path_aside_back(w);
+    return fabs(along) / (p->h - there) * p->error / stops;
 }
 
 double pm_path_aside_error(pm_workspace *w, int ask, int column, double value, double by_kinetic)

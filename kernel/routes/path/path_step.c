@@ -207,6 +207,9 @@ static int ends_at_rest(const pm_path *p)
     return end->force * p->sense < 0 && end->kinetic <= pm_path_error_after(p, end->kinetic);
 }
 
+/* From rest, and back to rest before the first node: it is pushed off, and at the node back. */
+static int turns_before(const pm_path *p, int k) { return p->force[0] > 0 && p->force[k] < 0; }
+
 /* The way to the first place of the step where T vanishes; INFINITY if there is none. */
 static int find_reversal(pm_workspace *w, double *way)
 {
@@ -232,7 +235,7 @@ static int find_reversal(pm_workspace *w, double *way)
                 ? pm_fail_search(&w->result, pm_bracket_newton(exact_kinetic, w, NULL, nodes->at[k - 1],
                                                                before, low, lowest, &s))
                 : PM_OK;
-        *way = before > 0 ? s * p->h : 0;
+        *way = before > 0 ? s * p->h : turns_before(p, k) ? nodes->at[k] * p->h : 0;
         return status;
     }
     const pm_place *end = &p->node[PM_NODES_MOST - 1];

@@ -278,25 +278,31 @@ static void note_end(pm_closing *x, const pm_edge_motion *edge, double reach, co
     }
 }
 
-/* Beside an edge: how near it came to its face and its corners; how fast it strikes what is next. */
-static void note_open(pm_closing *x, const pm_edge_motion *edge, double reach, const double step[2])
+static double over(const pm_edge_motion *x, double t) { return value_of(&x->height, t) - x->radius; }
+
+static double off(const pm_edge_motion *x, int side, double t)
+{
+    return hypot(value_of(&x->beyond[side], t), value_of(&x->height, t)) - x->radius;
+}
+
+/* Beside an edge: how near it came to its face and its corners; how fast it strikes what is next.  What has just gone over an end,
+ * as near to it as `left`, does not come to it. */
+static void note_open(pm_closing *x, const pm_edge_motion *edge, double left, double reach,
+                      const double step[2])
 {
     double top[MOST_DEGREE];
     const pm_poly fall = derivative_of(&edge->height);
     const int nfall = roots_of(fall, top);
     for (int i = 0; i < nfall; i++)
-        if (is_inside(top[i], step) && is_within(edge, 0, top[i]))
-            keep_least(x, value_of(&edge->height, top[i]) - edge->radius, reach);
+        if (is_inside(top[i], step) && is_within(edge, 0, top[i]) && !(over(edge, top[i]) <= left))
+            keep_least(x, over(edge, top[i]), reach);
     x->rate = value_of(&fall, step[1]);
     for (int side = 0; side < SIDES; side++) {
         const pm_poly corner = corner_of(edge, side), rate = derivative_of(&corner);
         const int n = roots_of(rate, top);
         for (int i = 0; i < n; i++)
-            if (is_inside(top[i], step) && is_beyond(edge, side, top[i]))
-                keep_least(x,
-                           hypot(value_of(&edge->beyond[side], top[i]), value_of(&edge->height, top[i])) -
-                               edge->radius,
-                           reach);
+            if (is_inside(top[i], step) && is_beyond(edge, side, top[i]) && !(off(edge, side, top[i]) <= left))
+                keep_least(x, off(edge, side, top[i]), reach);
         if (edge->radius > 0 && is_beyond(edge, side, step[1]))
             x->rate = value_of(&rate, step[1]) / (2 * edge->radius);
     }
@@ -309,7 +315,8 @@ void pm_uniform_edge_note(pm_workspace *w, int contact)
     pm_uniform_look(w, 0);
     const pm_edge_motion edge = motion_of(&w->frame, w->uniform, contact);
     if (w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN)
-        note_open(&u->closing[contact], &edge, w->numbers.size, step);
+        note_open(&u->closing[contact], &edge,
+                  is_leaving(&w->frame, &edge) ? pm_contact_length(&w->frame) : -INFINITY, w->numbers.size, step);
     else
         note_end(&u->closing[contact], &edge, w->numbers.size, step);
 }
