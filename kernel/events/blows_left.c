@@ -180,6 +180,13 @@ static void find_next(const pm_workspace *w, int contact, pm_left *x)
     x->last = !isfinite(x->next);
 }
 
+/* Nothing waits any more: from here on passes are in step that have followed other numbers of blows. */
+static void count_only(pm_workspace *w, int contact, pm_left *x)
+{
+    x->counted = 1;
+    pm_evidence_part(&w->evidence, contact);
+}
+
 void pm_blows_left_begin(pm_workspace *w)
 {
     const int waits = PM_SETTING(w->model, PM_SETTING_ROUTE) != PM_ROUTE_PATH;
@@ -199,7 +206,7 @@ void pm_blows_left_begin(pm_workspace *w)
             continue;
         }
         for (int k = 0; fires_at_blow(x, k); k++) w->firing.fired[x->firing[k].trigger] = PM_FIRED_NOW;
-        x->counted = !contact_awaits(w, i, is_awaited);
+        if (!contact_awaits(w, i, is_awaited)) count_only(w, i, x);
     }
 }
 
@@ -304,11 +311,11 @@ int pm_blows_left_strike(pm_workspace *w)
             if (contact_awaits(w, i, is_awaited))
                 strike(w, i, x);
             else
-                x->counted = 1;
+                count_only(w, i, x);
             continue;
         }
+        if (!x->counted) pm_evidence_part(&w->evidence, i);
         lose(w, i);
-        pm_evidence_part(&w->evidence, i);
     }
     return any;
 }

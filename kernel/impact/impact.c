@@ -89,14 +89,15 @@ static int rests_beside(const pm_workspace *w, int contact, pm_touch *x)
            !pm_contact_modes_released(w->model, &w->instant, contact, x->member);
 }
 
-/* At a time of the scene, to which the route has found no contact that closes: one that has left by its last blow is in flight, however
- * low it flies. */
+/* At a time of the scene, to which the route has found no contact that closes: one that has risen so little since its last blow that
+ * it has never ceased to touch flies all the same. */
 static int is_in_flight(const pm_workspace *w, int contact)
 {
     const pm_bounce_series *x = &w->event->series[contact];
+    const double leaves = pm_contact_restitution(&w->frame, contact) * x->approach[0];
     return w->event->at_due && !w->event->at_root && !w->model->acts && x->known > 0 &&
-           x->struck[0] < w->state.t && pm_contact_is_open(w->model, &w->state, contact) &&
-           w->phase.route->locates_contacts;
+           x->struck[0] < w->state.t && leaves * (w->state.t - x->struck[0]) <= pm_contact_length(&w->frame) &&
+           pm_contact_is_open(w->model, &w->state, contact) && w->phase.route->locates_contacts;
 }
 
 /* Nothing moves in a blow: what is open and does not touch before it does not touch after it. */
