@@ -18,8 +18,8 @@ FAULTS = [
     Fault(
         "blows left: nothing ever waits for one",
         "events/blows_left.c",
-        "x->counted = !contact_awaits(w, i, is_awaited);",
-        "x->counted = 1;",
+        "if (!contact_awaits(w, i, is_awaited)) count_only",
+        "count_only",
     ),
     Fault(
         "blows left: their flights are alike",

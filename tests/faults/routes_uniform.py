@@ -201,10 +201,10 @@ FAULTS = [
         "PM_UNIFORM_WIDER * safe",
     ),
     Fault(
-        "series: the last blow is the last that was computed",
+        "zeno: its last blow is one that a coarse run has not seen",
         "routes/uniform/zeno.c",
-        "w->state.t = w->firing.jumped = u->t0 + r.time;",
-        "w->state.t = u->t0 + r.time;",
+        "w->firing.jumped = NAN;",
+        "",
     ),
     Fault(
         "uniform: what goes over an end comes near to it",

@@ -385,7 +385,8 @@ int pm_zeno_leap(pm_workspace *w, int contact, double flight, double t_limit, in
     end_of_series(u, w->model->nq, &r, q, v);
     add_forces(w, &r, q);
     add_blows(w, &r, q, v);
-    w->state.t = w->firing.jumped = u->t0 + r.time; /* by its last blow */
+    w->state.t = u->t0 + r.time;
+    w->firing.jumped = NAN; /* the last of them are too slow to tell before from after */
     pm_integral_series_leap(w, r.time);
     pm_step_set(&w->step, w->state.t, w->state.t);
     w->result.count[PM_COUNT_JUMPS]++;
