@@ -87,7 +87,7 @@ static void cord_tightens(double max_time)
     scene_free(s);
 }
 
-/* The last blow of an endless series is where that ends. */
+/* The last blow that was computed of an endless series is none that a later time may come before. */
 static void ends_series(double e)
 {
     scene *s = scene_create();
@@ -99,7 +99,7 @@ static void ends_series(double e)
     scene_until_time(s, 1.1 * rests);
     EQUAL(scene_open(s), PM_OK);
     EQUAL(pm_run(s->w, NULL), PM_OK);
-    NEAR(s->w->firing.jumped, rests, 1e-12 * rests);
+    CHECK(isnan(s->w->firing.jumped));
     scene_free(s);
 }
 
