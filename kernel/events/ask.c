@@ -53,8 +53,8 @@ int pm_ask_create(pm_workspace *w)
     };
     a->solver = pm_bracket_create();
     int status = pm_arena_keep(&w->memory, a->solver, pm_bracket_free);
-    if (status || pm_arena_take(&w->memory, PM_ARRAYS(array)) || pm_slope_create(&w->memory, &a->slope, w->model) ||
-        pm_integral_create(w))
+    if (status || pm_arena_take(&w->memory, PM_ARRAYS(array)) ||
+        pm_slope_create(&w->memory, &a->slope, w->model) || pm_integral_create(w))
         return PM_NO_MEMORY;
     a->level = a->instant_level = a->fired_level = PM_LEVEL_KINEMATIC;
     for (int i = 0; i < w->model->nask; i++) {

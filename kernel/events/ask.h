@@ -2,8 +2,8 @@
 #ifndef PM_ASK_H
 #define PM_ASK_H
 
-#include "numerics/chebyshev_nodes.h"
 #include "elements/slope.h"
+#include "numerics/chebyshev_nodes.h"
 #include "state/workspace.h"
 
 typedef struct pm_ask_set {
@@ -23,13 +23,13 @@ typedef struct pm_ask_set {
     unsigned char *sound;     /* [nout] filled when the ledgers last closed */
     int *switches; /* [nask] places where the watched program may change its branch, as far as known */
     int *dips;     /* [nask] whether it has no extremes there */
-    struct pm_integral *integral;     /* [nask] (integral.h) */
+    struct pm_integral *integral;        /* [nask] (integral.h) */
     struct pm_integral_flights *flights; /* [ncontact][nask] (integral_series.h), if any is an integral */
-    struct pm_percentile *percentile; /* [nask] (percentile.h) */
-    int fresh;                        /* something was filled since */
-    pm_slope slope;                   /* derivatives of a program at the frame */
-    void *solver;                     /* gsl_root_fsolver */
-    void *quadrature;                 /* gsl_integration_workspace */
+    struct pm_percentile *percentile;    /* [nask] (percentile.h) */
+    int fresh;                           /* something was filled since */
+    pm_slope slope;                      /* derivatives of a program at the frame */
+    void *solver;                        /* gsl_root_fsolver */
+    void *quadrature;                    /* gsl_integration_workspace */
 } pm_ask_set;
 
 int pm_ask_create(pm_workspace *w);

@@ -30,11 +30,11 @@
 #include "state/workspace.h"
 
 typedef struct pm_left {
-    int held;             /* at this instant, and the time of its end is not known yet */
-    double next;          /* s, of a blow or a firing; INFINITY: none is known */
-    int counted;          /* nothing waits for it any more */
-    double blow, flight;  /* s: the last blow, and how long the flight takes that begins with it */
-    int nfiring, at;      /* firings of a flight, and the next one of this flight */
+    int held;            /* at this instant, and the time of its end is not known yet */
+    double next;         /* s, of a blow or a firing; INFINITY: none is known */
+    int counted;         /* nothing waits for it any more */
+    double blow, flight; /* s: the last blow, and how long the flight takes that begins with it */
+    int nfiring, at;     /* firings of a flight, and the next one of this flight */
     pm_flight_firing firing[PM_FIRINGS_MOST];
     double ratio;         /* r */
     int together;         /* blows within the rounding of the end */
@@ -176,7 +176,8 @@ static void begin_flight(const pm_workspace *w, int contact, pm_left *x, double 
 /* The next firing of this flight, or the blow that ends it: then all is over where none is known to come. */
 static void find_next(const pm_workspace *w, int contact, pm_left *x)
 {
-    x->next = x->at < x->nfiring ? x->blow + x->firing[x->at].phase * x->flight : after(w, contact, x, x->blow);
+    x->next =
+        x->at < x->nfiring ? x->blow + x->firing[x->at].phase * x->flight : after(w, contact, x, x->blow);
     x->last = !isfinite(x->next);
 }
 

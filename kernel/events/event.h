@@ -45,18 +45,19 @@ typedef struct pm_multiple_place {
 /* What is kept of such a trigger. */
 typedef struct pm_multiples {
     double low, high; /* multiples below and above it; not a number: not known yet */
-    pm_multiple_place turn[PM_NODES_MOST]; /* where it turns back beside the nodes of the step; not a number: nowhere */
+    pm_multiple_place
+        turn[PM_NODES_MOST]; /* where it turns back beside the nodes of the step; not a number: nowhere */
 } pm_multiples;
 
 typedef struct pm_event_function {
-    int kind;       /* enum pm_function_kind */
-    int index;      /* trigger, contact, slot, joint; of a strand: slot and side */
-    int direction;  /* 0: either way, 1: rising, -1: falling */
-    int level;      /* enum pm_level it needs */
-    int owned;      /* the route itself finds its roots: not sampled */
-    int held;       /* zero when the phase began, or just fired: must first be left */
-    int sense;      /* of a friction that holds, 1 or -1: what is left of it against a force that way */
-    int every;      /* its samples are places along multiples, its values count from one of them (event_multiple.h) */
+    int kind;      /* enum pm_function_kind */
+    int index;     /* trigger, contact, slot, joint; of a strand: slot and side */
+    int direction; /* 0: either way, 1: rising, -1: falling */
+    int level;     /* enum pm_level it needs */
+    int owned;     /* the route itself finds its roots: not sampled */
+    int held;      /* zero when the phase began, or just fired: must first be left */
+    int sense;     /* of a friction that holds, 1 or -1: what is left of it against a force that way */
+    int every; /* its samples are places along multiples, its values count from one of them (event_multiple.h) */
     int side;       /* 1, -1: its sign when the step began; 0: not known, or it was on zero */
     int born;       /* of a gap beside a foot that is closed: another foot may come to be at any distance */
     int below;      /* of a gap: the mark was below its edge when the phase began */

@@ -233,7 +233,7 @@ static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_
 {
     const double rounding = PM_ON_ZERO * of->biggest, beyond = pm_max(f->slack, rounding);
     const int new = e->first_step || (f->slack > 0 && isfinite(f->rested)), zero = fabs(of->g[0]) <= beyond;
-    const int rests = new && since == e->place[0] && zero && f->rested <= beyond;
+    const int rests = new &&since == e->place[0] && zero && f->rested <= beyond;
     const double least = f->rested > 0 ? PM_EVENT_RESTED * f->slack : 0; /* rounding of what rests */
     if (!rests) f->rested = INFINITY;
     return rests ? pm_max(pm_max(f->rested, rounding), least) : beyond;
@@ -273,8 +273,7 @@ static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of,
 
 /* ---- the step ---- */
 /* At the begin of the phase it may be on its zero by chance. */
-static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
-                            double at)
+static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const pm_event_course *of, double at)
 {
     if (!e->first_step || at != e->place[0] || !(fabs(of->g[0]) <= PM_ON_ZERO * of->biggest)) return;
     f->held = 1;

@@ -173,7 +173,8 @@ static const pm_multiple_place *turns_of(pm_workspace *w, int i, pm_event_at *va
 
 /* ---- the step ---- */
 /* From one place to the next p only rises or falls: 1, and the bracket of the multiple that it reaches first.  Else *from is there. */
-static int reaches(pm_multiples *m, pm_event_function *f, pm_multiple_place *from, pm_multiple_place to, pm_span *x)
+static int reaches(pm_multiples *m, pm_event_function *f, pm_multiple_place *from, pm_multiple_place to,
+                   pm_span *x)
 {
     part(m, to.value, PM_ON_ZERO);
     const int rises = to.value >= m->high;

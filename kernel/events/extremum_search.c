@@ -79,8 +79,7 @@ static double shift_by_values(pm_workspace *w, pm_ask_watch *x, double t, double
     const double here = pm_ask_along(w, t, x);
     double rate = 0, bend = 0;
     for (int k = 1; k <= 4; k++) {
-        const double before = pm_ask_along(w, t - k * apart, x),
-                     after = pm_ask_along(w, t + k * apart, x);
+        const double before = pm_ask_along(w, t - k * apart, x), after = pm_ask_along(w, t + k * apart, x);
         rate += weight[k - 1] * (after - before);
         bend += (after - here - (here - before)) / (4.0 * k * k);
     }

@@ -220,7 +220,8 @@ int pm_integral_step(pm_workspace *w, int ask)
     find_cuts(w, ask, &cut);
     read_nodes(w, ask, sample);
     if (condition >= 0) pm_watched_samples_run(w, condition, NULL, holds);
-    pm_integrand f = {w, e[PM_ASK_PROGRAM], pm_integral_is_squared(e), sample, x->size}, c = {w, condition, 0, holds, 1};
+    pm_integrand f = {w, e[PM_ASK_PROGRAM], pm_integral_is_squared(e), sample, x->size},
+                 c = {w, condition, 0, holds, 1};
     for (int i = 0; i <= cut.n && from < s->end; i++) {
         const double to = i < cut.n ? fmin(cut.at[i], s->end) : s->end;
         if (!(to > from)) continue;
@@ -248,15 +249,18 @@ double pm_integral_answer(pm_workspace *w, int ask)
 {
     const int32_t *e = PM_ASK_ROW(w->model, ask);
     const pm_integral *x = &w->ask->integral[ask];
-    const double mean = x->sum / divisor(x, e), value = pm_integral_is_squared(e) ? sqrt(fmax(mean, 0)) : mean;
+    const double mean = x->sum / divisor(x, e),
+                 value = pm_integral_is_squared(e) ? sqrt(fmax(mean, 0)) : mean;
     if (!(fabs(x->span - w->state.t) <= PM_INTEGRAL_ALL * w->state.t) || isnan(mean)) return NAN;
-    double error = (x->error + (e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 0 : fabs(mean) * x->weight_error)) / divisor(x, e);
+    double error =
+        (x->error + (e[PM_ASK_KIND] == PM_ASK_INTEGRAL ? 0 : fabs(mean) * x->weight_error)) / divisor(x, e);
     if (pm_integral_is_percentile(e)) {
         const double percentile = pm_percentile_answer(w, ask, &error);
         pm_evidence_more(&w->evidence, e[PM_ASK_OUT], error);
         return percentile;
     }
-    pm_evidence_more(&w->evidence, e[PM_ASK_OUT], pm_integral_is_squared(e) ? sqrt(mean + error) - sqrt(mean) : error);
+    pm_evidence_more(&w->evidence, e[PM_ASK_OUT],
+                     pm_integral_is_squared(e) ? sqrt(mean + error) - sqrt(mean) : error);
     return value;
 }
 

@@ -7,14 +7,14 @@
 
 /* What an ask has gathered so far.  f: its program, of root mean squares the square of it. */
 typedef struct pm_integral {
-    double sum;               /* of f by the time */
-    double weight;            /* s, time in which its condition holds: all of it without one */
-    double span;              /* s, time that both of these cover */
-    double size;              /* greatest |f| at a node */
-    double terms;             /* about the integral of |f| */
-    double error;             /* of the sum, as the quadrature tells it */
-    double weight_error;      /* s, of the weight, as series tell it that are not followed */
-    double last, last_weight; /* f, and whether its condition holds, at the end of the last step */
+    double sum;                         /* of f by the time */
+    double weight;                      /* s, time in which its condition holds: all of it without one */
+    double span;                        /* s, time that both of these cover */
+    double size;                        /* greatest |f| at a node */
+    double terms;                       /* about the integral of |f| */
+    double error;                       /* of the sum, as the quadrature tells it */
+    double weight_error;                /* s, of the weight, as series tell it that are not followed */
+    double last, last_weight;           /* f, and whether its condition holds, at the end of the last step */
     pm_integral_tail leap, leap_weight; /* of a series of flights that may be passed at once */
 } pm_integral;
 

@@ -150,12 +150,13 @@ static double off_ratio(const pm_integral_flights *x, double ratio, double time)
     if (x->n <= PM_INTEGRAL_FLIGHTS) return INFINITY;
     const double all = flight_of(x, 0) * ratio / (1 - ratio);
     if (!(fabs(all - time) <= PM_SERIES_SETTLED * time)) return INFINITY;
-    return fabs(flight_of(x, 0) / flight_of(x, 1) - flight_of(x, 1) / flight_of(x, 2)) / (ratio * (1 - ratio));
+    return fabs(flight_of(x, 0) / flight_of(x, 1) - flight_of(x, 1) / flight_of(x, 2)) /
+           (ratio * (1 - ratio));
 }
 
 /* What was gathered since the last blow is that of a closed contact: what the flights of the series have in its place. */
-static pm_integral_tail instead(const pm_workspace *w, const pm_integral_flights *x, int weight, double now, double limit,
-                                double ratio)
+static pm_integral_tail instead(const pm_workspace *w, const pm_integral_flights *x, int weight, double now,
+                                double limit, double ratio)
 {
     if (x->n < 2) return (pm_integral_tail){0, 0};
     const double time = w->state.t - x->at[0].t, all = time * fabs(off(x->at, 0, weight, limit));

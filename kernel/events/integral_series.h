@@ -31,8 +31,8 @@ void pm_integral_series_forget(const pm_workspace *w, int contact);
 void pm_integral_series_mark(const pm_workspace *w, int contact);
 /* What the flights add that come now, each `ratio` times as long as the one before, all of them in `time`; of the sum, or of its weight.
  * At their end the value is `limit`. */
-pm_integral_tail pm_integral_series_tail(const pm_integral_flights *flights, int weight, double ratio, double time,
-                                         double limit);
+pm_integral_tail pm_integral_series_tail(const pm_integral_flights *flights, int weight, double ratio,
+                                         double time, double limit);
 
 /* The same of an ask, and of its weight, where the flights of a contact begin now; the frame looks at their end.  It is noted for
  * pm_integral_series_leap; 0 if the last flights do not tell it. */

@@ -69,7 +69,8 @@ int pm_beyond_leave_out(pm_workspace *w)
             move_on(w, pm_case_shift(w, &w->probe) * w->numbers.size / w->numbers.speed, &w->ahead);
             looked = 1;
         }
-        if (!goes_beyond(w, f, pm_event_value_at(w, f, &w->state))) w->firing.fired[f->index] = PM_FIRED_SHORT;
+        if (!goes_beyond(w, f, pm_event_value_at(w, f, &w->state)))
+            w->firing.fired[f->index] = PM_FIRED_SHORT;
     }
     if (!looked) return PM_OK;
     pm_frame_look_state(&w->frame, &w->state);

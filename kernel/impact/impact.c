@@ -96,7 +96,8 @@ static int is_in_flight(const pm_workspace *w, int contact)
     const pm_bounce_series *x = &w->event->series[contact];
     const double leaves = pm_contact_restitution(&w->frame, contact) * x->approach[0];
     return w->event->at_due && !w->event->at_root && !w->model->acts && x->known > 0 &&
-           x->struck[0] < w->state.t && leaves * (w->state.t - x->struck[0]) <= pm_contact_length(&w->frame) &&
+           x->struck[0] < w->state.t &&
+           leaves * (w->state.t - x->struck[0]) <= pm_contact_length(&w->frame) &&
            pm_contact_is_open(w->model, &w->state, contact) && w->phase.route->locates_contacts;
 }
 

@@ -110,7 +110,8 @@ typedef struct pm_rates {
 static pm_rates rates(pm_workspace *w, const pm_switch_course *x)
 {
     const double size = w->numbers.size, fast = greatest(w, w->state.v), strong = greatest(w, w->frame.a);
-    const double natural = size / w->numbers.speed, of_time = slope(w, x, (pm_shift){.time = 1}, PM_SWITCH_LOOK * natural);
+    const double natural = size / w->numbers.speed,
+                 of_time = slope(w, x, (pm_shift){.time = 1}, PM_SWITCH_LOOK * natural);
     const double pass = fast > 0 ? size / fast : natural, wait = of_time == 0 ? pass : pm_min(pass, natural);
     const double along = fast > 0 ? slope(w, x, (pm_shift){.along = 1}, PM_SWITCH_LOOK * pass) : 0;
     double turned = 0, second = fast > 0 || of_time != 0 ? bend(w, x, PM_SWITCH_BEND * wait) : 0;

@@ -69,7 +69,8 @@ static double from_end(const pm_piecewise *p, double piece, double x)
 
 static int reaches(const pm_piecewise *p, double piece, double x, int way, double nothing)
 {
-    return way > 0 ? pm_piecewise_begin(p, piece + 1) - x <= nothing : x - pm_piecewise_begin(p, piece) <= nothing;
+    return way > 0 ? pm_piecewise_begin(p, piece + 1) - x <= nothing
+                   : x - pm_piecewise_begin(p, piece) <= nothing;
 }
 
 /* The piece that goes on from x; those that are next to nothing are passed. */
@@ -90,7 +91,8 @@ static int settle_piece(pm_workspace *w, int reading, int located, int goes_on)
     double *piece = &w->firing.side[e[PM_READING_EVENT]], before = *piece;
     const pm_switch_course x = pm_switch_course_begin(w, e[PM_READING_PROGRAM]);
     const int found = found_as(w, e[PM_READING_EVENT], located) != PM_NONE;
-    const double end = found ? from_end(&p, before, x.here) : 0, nothing = fmax(PM_PIECE_NOTHING * x.scale, end);
+    const double end = found ? from_end(&p, before, x.here) : 0,
+                 nothing = fmax(PM_PIECE_NOTHING * x.scale, end);
     const int at_end =
         piece_ahead(&p, x.here, 1, nothing, before) != piece_ahead(&p, x.here, -1, nothing, before);
     const int way = at_end ? pm_switch_course_way(w, &x) : 0;

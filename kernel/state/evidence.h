@@ -92,7 +92,7 @@ typedef struct pm_pass {
     int status;
     int coarse;
     int number; /* of the passes of its case, from 1 */
-    int fine; /* a coarse one that takes in two each step of the main one, which takes few */
+    int fine;   /* a coarse one that takes in two each step of the main one, which takes few */
     int halves;
     pm_evidence_log log;
 } pm_pass;
@@ -102,7 +102,7 @@ typedef struct pm_closest {
     double margin;
     const pm_evidence_decision *decision; /* NULL where no log has it */
     int trigger;                          /* then: that comes so close to firing, or PM_NONE */
-    double parted;                        /* s, of the first instant at which two passes decided differently; 0: of none */
+    double parted; /* s, of the first instant at which two passes decided differently; 0: of none */
 } pm_closest;
 
 /* Nothing is known of the errors and decisions of the run that begins. */

@@ -206,7 +206,8 @@ static int judge_beside_before(pm_workspace *w, double *error, double *trust)
     pm_accuracy *e = w->accuracy;
     if (pm_evidence_has_series(e->main) || pm_evidence_has_series(e->spare)) return 0; /* both cut it alike */
     if (pm_time_course_rounded(w) > PM_SCALES_TIMES * w->numbers.accuracy) return 0;
-    if (e->main->count[PM_COUNT_JUMPS] > 0) return 0; /* flights between blows may have no error but rounding */
+    if (e->main->count[PM_COUNT_JUMPS] > 0)
+        return 0; /* flights between blows may have no error but rounding */
     if (w->evidence.seeks || !(w->phase.route->steps_by_tolerance > 0) ||
         !steps_go_with_tolerance(&w->phase, e->spare, e->main))
         return 0;

@@ -39,11 +39,11 @@ typedef struct pm_loops {
 /* Coordinates in two parts: the dependent ones follow from the independent ones through the loop constraints
  * (tree_partition.c). */
 typedef struct pm_tree_part {
-    int few;                    /* coordinates are partitioned */
-    int *column;                /* [nq] the dependent coordinates, nloop of them, then the independent ones */
-    double open;                /* m, what pm_tree_close has left of loops at the worst place since this was set to 0 */
-    double known;               /* of that, what its user knows already */
-    int *position;              /* [nq] of each coordinate in column */
+    int few;       /* coordinates are partitioned */
+    int *column;   /* [nq] the dependent coordinates, nloop of them, then the independent ones */
+    double open;   /* m, what pm_tree_close has left of loops at the worst place since this was set to 0 */
+    double known;  /* of that, what its user knows already */
+    int *position; /* [nq] of each coordinate in column */
     int *left, *bottom, *right; /* [nconstraint] where J_v may differ from zero: tree_band.c, dense.h */
     double *jacobian;           /* [nconstraint][n] of the loop constraints, where pm_tree_accelerate was */
     double *motion;             /* [few][nq] velocities at a unit rate of each independent coordinate */

@@ -1,4 +1,4 @@
-"""Faults planted in `kernel/events/`, in what is told of series of blows that are not followed to their end."""
+"""Faults planted in `kernel/events/`: what is told of series of blows that are not followed to their end."""
 
 from tests.faults.fault import Fault
 

@@ -51,13 +51,15 @@ static void beside_others(void)
             const int in_time = counted(s, t.time, dt), along = counted(s, t.x, dx),
                       over = scene_when(s, PM_TRIGGER_RISE, scene_minus(s, t.x, place));
             const int at[] = {times_of(&t, in_time, MOST), times_of(&t, along, MOST)},
-                      n[] = {scene_ask_count(s, in_time), scene_ask_count(s, along), scene_ask_count(s, over)};
+                      n[] = {scene_ask_count(s, in_time), scene_ask_count(s, along),
+                             scene_ask_count(s, over)};
             scene_until_time(s, end);
             EQUAL(scene_run(s, NULL), PM_OK);
             for (int i = 0; i < 2; i++) {
                 const double d = i ? dx : dt;
                 EQUAL(s->out[n[i]], floor(end / d));
-                for (int j = 0; j < (int)floor(end / d) && j < MOST; j++) NEAR(s->out[at[i] + j], (j + 1) * d, 1e-12);
+                for (int j = 0; j < (int)floor(end / d) && j < MOST; j++)
+                    NEAR(s->out[at[i] + j], (j + 1) * d, 1e-12);
             }
             EQUAL(s->out[n[2]], 1);
             scene_free(s);
@@ -82,7 +84,8 @@ static void up_and_down(void)
                              lowest = ceil((y + vy * end - 0.5 * G * end * end) / d);
                 int k = 0;
                 for (int way = 1; way >= -1; way -= 2)
-                    for (double m = way > 0 ? first : highest; way > 0 ? m <= highest : m >= lowest; m += way, k++)
+                    for (double m = way > 0 ? first : highest; way > 0 ? m <= highest : m >= lowest;
+                         m += way, k++)
                         if (k < MOST)
                             NEAR(s->out[at + k], (vy - way * sqrt(vy * vy + 2 * G * (y - m * d))) / G, 1e-9);
                 EQUAL(s->out[n], k);
@@ -120,7 +123,8 @@ static void rests_on_one(void)
         scene_until_time(s, 16.01 / G);
         EQUAL(scene_run(s, NULL), PM_OK);
         EQUAL(s->out[never], 0);
-        EQUAL(s->out[twice], 2 * floor(32 / G / 0.6) + 1); /* those above, up and down, and the first as it returns */
+        EQUAL(s->out[twice],
+              2 * floor(32 / G / 0.6) + 1); /* those above, up and down, and the first as it returns */
         scene_free(s);
     }
 }
@@ -155,7 +159,8 @@ static void on_a_path(void)
         scene_until_time(s, 1.003);
         EQUAL(scene_run(s, NULL), PM_OK);
         EQUAL(s->out[n], floor(1.003 / dt));
-        for (int k = 0; k < (int)floor(1.003 / dt) && k < MOST; k++) NEAR(s->out[at + k], (k + 1) * dt, 1e-12);
+        for (int k = 0; k < (int)floor(1.003 / dt) && k < MOST; k++)
+            NEAR(s->out[at + k], (k + 1) * dt, 1e-12);
         scene_free(s);
     }
 }

@@ -17,7 +17,8 @@ static bounces bouncing(int route, double low, double high)
     scene *s = x.s;
     x.v = sqrt(2 * G * x.h);
     const int g = scene_point(s, scene_body(s, 1, 0, 0, x.h, 0), 0, 0);
-    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, 0), scene_floor(s, 0), 0, x.e, PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, 0), scene_floor(s, 0), 0, x.e, PM_FRICTION_SMOOTH,
+                  0);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     x.vy = scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
     x.blow = scene_on(s, PM_TRIGGER_STRIKE, 0);

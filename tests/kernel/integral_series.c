@@ -46,7 +46,8 @@ static scene *ball(const bounce *x, int route, double accuracy, int *vy, int *y)
 {
     scene *s = estimating(accuracy);
     const int b = scene_body(s, 1, 0, 0, x->h, 0), g = scene_point(s, b, 0, 0);
-    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, 0), scene_floor(s, 0), 0, x->e, PM_FRICTION_SMOOTH, 0);
+    scene_contact(s, PM_CONTACT_LINE, scene_circle(s, g, 0), scene_floor(s, 0), 0, x->e, PM_FRICTION_SMOOTH,
+                  0);
     *scene_setting(s, PM_SETTING_ROUTE) = route;
     *vy = scene_part(s, PM_MEASURE_VELOCITY, g, PM_PART_Y);
     *y = scene_part(s, PM_MEASURE_POSITION, g, PM_PART_Y);
@@ -96,8 +97,8 @@ static void beyond(const bounce *x, int route)
     double truth = pow(x->v - c, 2) / (2 * G);
     for (int k = 1; k <= 6; k++) truth += pow(x->v * pow(x->e, k) - c, 2) / G;
     scene_until_time(s, x->end * 1.1);
-    const int out = integral(s, SCENE_PROGRAM(s, scene_m(vy), scene_op(PM_OP_ABS), scene_k(s, c), scene_op(PM_OP_SUB),
-                                              scene_k(s, 0), scene_op(PM_OP_MAX)));
+    const int out = integral(s, SCENE_PROGRAM(s, scene_m(vy), scene_op(PM_OP_ABS), scene_k(s, c),
+                                              scene_op(PM_OP_SUB), scene_k(s, 0), scene_op(PM_OP_MAX)));
     EQUAL(scene_run(s, NULL), PM_OK);
     NEAR(s->out[out], truth, (route == PM_ROUTE_IDA ? 1e-7 : 1e-9) * truth);
     scene_free(s);

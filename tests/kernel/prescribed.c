@@ -39,13 +39,13 @@ static void a_corner(int route)
 static void a_corner_of_two(int route, int op, int swapped, double k)
 {
     scene *s = scene_create();
-    const scene_code t = scene_m(scene_time(s)), zero = scene_k(s, 0), one = scene_k(s, 1), by = scene_k(s, k);
+    const scene_code t = scene_m(scene_time(s)), zero = scene_k(s, 0), one = scene_k(s, 1),
+                     by = scene_k(s, k);
     const scene_code minus = scene_op(PM_OP_SUB), times = scene_op(PM_OP_MUL), choice = scene_op(op);
     const double rate = (k > 0) == (op == PM_OP_MAX) ? k : 0, first = rate == 0 ? -k : 0;
     const scene_code at_first = scene_k(s, first);
-    const int program = swapped
-                            ? SCENE_PROGRAM(s, zero, t, one, minus, by, times, choice, at_first, minus)
-                            : SCENE_PROGRAM(s, t, one, minus, by, times, zero, choice, at_first, minus);
+    const int program = swapped ? SCENE_PROGRAM(s, zero, t, one, minus, by, times, choice, at_first, minus)
+                                : SCENE_PROGRAM(s, t, one, minus, by, times, zero, choice, at_first, minus);
     driven_disk(route, program, s);
     EQUAL(scene_run(s, NULL), PM_OK);
     EQUAL(s->count[PM_COUNT_JUMPS], 1);

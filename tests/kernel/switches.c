@@ -83,10 +83,10 @@ static void thin_air(int route)
         const double c = pow(10, check_random(-3, -1)), last = sqrt(G / c), up = last * check_random(4, 40);
         particle p = particle_at(0, up, route);
         const scene_code v = scene_m(p.speed), side = scene_m(scene_side(p.s, scene_read(p.s, p.speed)));
-        push(&p, SCENE_PROGRAM(p.s, scene_k(p.s, -G), scene_k(p.s, c), v, scene_op(PM_OP_MUL), v,
-                               scene_op(PM_OP_MUL), side, scene_k(p.s, 2), scene_op(PM_OP_MUL),
-                               scene_k(p.s, 1), scene_op(PM_OP_SUB), scene_op(PM_OP_MUL),
-                               scene_op(PM_OP_SUB)));
+        push(&p,
+             SCENE_PROGRAM(p.s, scene_k(p.s, -G), scene_k(p.s, c), v, scene_op(PM_OP_MUL), v,
+                           scene_op(PM_OP_MUL), side, scene_k(p.s, 2), scene_op(PM_OP_MUL), scene_k(p.s, 1),
+                           scene_op(PM_OP_SUB), scene_op(PM_OP_MUL), scene_op(PM_OP_SUB)));
         const double rate = sqrt(G * c), top = atan(up / last) / rate, t = top + 0.5 / rate;
         const double height = log(1 + up * up / (last * last)) / (2 * c);
         scene_until_time(p.s, t);

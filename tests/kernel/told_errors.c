@@ -20,8 +20,8 @@ static void leaves_an_edge(int route)
     const double way = logarithmic(0.1, 5), length = way * logarithmic(1, 30), speed = logarithmic(0.1, 10);
     scene *s = estimating(1e-10);
     const int b = scene_body(s, 1, 0, -way, 0, 0), p = scene_point(s, b, 0, 0);
-    const int contact = scene_segment(s, scene_circle(s, p, 0), scene_floor(s, 0), -length, 0, 0,
-                                      PM_FRICTION_SMOOTH, 0);
+    const int contact =
+        scene_segment(s, scene_circle(s, p, 0), scene_floor(s, 0), -length, 0, 0, PM_FRICTION_SMOOTH, 0);
     scene_start_velocity(s, p, speed, 0);
     const int off = scene_on(s, PM_TRIGGER_OPEN, contact);
     const int t = scene_ask_event(s, scene_read(s, scene_time(s)), off, 1, 0);
@@ -39,9 +39,8 @@ static void leaves_an_edge(int route)
 static int parabola(scene *s, double focus)
 {
     const scene_code place = scene_m(scene_measure(s, PM_MEASURE_PLACE, PM_NONE));
-    const int x = SCENE_PROGRAM(s, place),
-              y = SCENE_PROGRAM(s, place, place, scene_op(PM_OP_MUL), scene_k(s, 4 * focus),
-                                scene_op(PM_OP_DIV));
+    const int x = SCENE_PROGRAM(s, place), y = SCENE_PROGRAM(s, place, place, scene_op(PM_OP_MUL),
+                                                             scene_k(s, 4 * focus), scene_op(PM_OP_DIV));
     return SCENE_ROW(s, PM_TABLE_CURVE, scene_point(s, PM_GROUND, 0, 0), x, y, scene_value(s, -7 * focus),
                      scene_value(s, 7 * focus), 0, 1, PM_NONE);
 }
@@ -63,7 +62,8 @@ static void bead(void)
     const long double speed = x * sqrtl((long double)G / (2 * (long double)focus));
     covers(s, v, n % 2 ? -speed : speed);
     /* what is left of its energy is of its last digits and the curve's */
-    NEAR(fabs(s->out[v]) * (double)speed, (double)(speed * speed), n * 5e-13 * (focus + (double)(speed * speed)));
+    NEAR(fabs(s->out[v]) * (double)speed, (double)(speed * speed),
+         n * 5e-13 * (focus + (double)(speed * speed)));
     scene_free(s);
 }
 

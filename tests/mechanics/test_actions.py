@@ -234,7 +234,7 @@ def test_the_time_that_a_nudge_takes_is_not_known() -> None:
 
 @pytest.mark.parametrize("route", ROUTES)
 def test_kicks_at_even_times_are_no_doubt(route: str) -> None:
-    """An oscillator that is struck again and again: rotations of (x, v/omega), and a step of v between them."""
+    """An oscillator that is struck again and again: rotations of (x, v/omega), steps of v between."""
     draw, rate = random.Random(4), 3.0
     for _ in range(12):
         period, way = math.exp(draw.uniform(math.log(0.02), math.log(3))), draw.uniform(-0.3, 0.3)
@@ -250,7 +250,8 @@ def test_kicks_at_even_times_are_no_doubt(route: str) -> None:
             bodies.b = {{ mass = "1 kg", at = ["0.3 m", 0] }}
             joints.s = {{ slider = ["b", "ground.rail"] }}
             forces.f = {{ spring = ["b", "ground.O"], stiffness = "9 N/m", free_length = 0 }}
-            events.k = {{ when = "t every {period!r} s", do = [{{ impulse = "b", value = ["{way!r} N*s", 0] }}] }}
+            events.k.when = "t every {period!r} s"
+            events.k.do = [{{ impulse = "b", value = ["{way!r} N*s", 0] }}]
             ask.x = {{ of = "b.x", unit = "m" }}
             ask.n = "k.count"
             solve.route = "{route}"

@@ -30,7 +30,7 @@ DRAGS = (
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("law", DRAGS)
 def test_thrown_fast_and_falling_back(law: str, route: str) -> None:
-    """It falls back with v/sqrt(1 + v^2/u^2), u = sqrt(m g/c): however fast it was, at the top the drag turns."""
+    """It falls back with v/sqrt(1 + v^2/u^2), u = sqrt(m g/c): however fast, at the top the drag turns."""
     rng = np.random.default_rng(5)
     for _ in range(8):
         c, ratio = 10 ** rng.uniform(-2, 1), 10 ** rng.uniform(-1, 1.6)
@@ -111,7 +111,7 @@ DEPTHS = ("max(-b.y/(1 m), 0)", "(abs(b.y) - b.y)/(2 m)", "(-min(b.y, 0 m)/(1 m)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("power", [0.5, 1.25, 1.5, 2, 2.5, 3.5])
 def test_a_power_of_the_depth(power: float, route: str) -> None:
-    """m v^2/2 = k d^(p+1)/(p+1); the contact lasts 2 d/v times the integral of 1/sqrt(1 - s^(p+1)) over (0, 1)."""
+    """m v^2/2 = k d^(p+1)/(p+1); it lasts 2 d/v times the integral of 1/sqrt(1 - s^(p+1)) over (0, 1)."""
     rng = np.random.default_rng(3)
     for depth in DEPTHS:
         k, speed, e = 10 ** rng.uniform(0, 6), 10 ** rng.uniform(-1, 1), power + 1

@@ -1,10 +1,14 @@
-"""Events `X every STEP` beside others, by closed forms: each multiple is met once, at its time, on every route."""
+"""Events `X every STEP` beside others, by closed forms: each multiple is met once, on every route."""
+
+# ruff: noqa: E501
 
 from __future__ import annotations
 
 import math
 import random
 from collections.abc import Callable
+from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -19,10 +23,18 @@ def run(text: str, route: str) -> Any:
     return planemotion.load_text(f'{text}\n{asks}solve.route = "{route}"\n').run()
 
 
+def swing(size: float, rate: float, phase: float, t: float) -> float:
+    return size * math.cos(rate * t + phase)
+
+
+def flying(y: float, v: float, g: float, t: float) -> float:
+    return y + v * t - g * t * t / 2
+
+
 def passages(p: Callable[[float], float], ends: list[float]) -> list[float]:
     """Where p, which only rises or falls from one of the ends to the next, reaches integers."""
     found = []
-    for a, b in zip(ends, ends[1:], strict=False):
+    for a, b in pairwise(ends):
         way = 1 if p(b) > p(a) else -1
         m = way * (math.floor(way * p(a) + 1e-9) + 1)
         while way * m <= way * p(b):
@@ -92,9 +104,8 @@ def test_an_oscillator_turns_back_between_multiples(route: str, other: str) -> N
             events.e = "b.x every {step!r} m"
             {f'events.f = "{other}"' if other else ""}
             """
-        times = passages(
-            lambda t: size * math.cos(rate * t + phase) / step, [0, *(t for t in turns if 0 < t < end), end]
-        )
+        swings = partial(swing, size / step, rate, phase)
+        times = passages(swings, [0, *(t for t in turns if 0 < t < end), end])
         check(run(text, route), times, 1e-8)
 
 
@@ -109,7 +120,7 @@ def test_heights_of_a_ball_that_bounces(route: str) -> None:
         for _ in range(6):
             speed = math.sqrt(v * v + 2 * g * (y - floor))
             flight = (v + speed) / g
-            inner = passages(lambda t: (y + v * t - g * t * t / 2) / step, [0, v / g, flight])
+            inner = passages(partial(flying, y / step, v / step, g / step), [0, v / g, flight])
             times += [begin + t for t in inner]
             y, v, begin = floor, restitution * speed, begin + flight
         text = f"""
@@ -119,7 +130,8 @@ def test_heights_of_a_ball_that_bounces(route: str) -> None:
             contacts.c = {{ touch = ["b", "ground.f"], restitution = {restitution!r} }}
             events.e = "b.y every {step!r} m"
             """
-        times += [begin + t for t in passages(lambda t: (y + v * t - g * t * t / 2) / step, [0, 1e-3 * v])]
+        last = passages(partial(flying, y / step, v / step, g / step), [0, 1e-3 * v])
+        times += [begin + t for t in last]
         check(run(text, route), times, 1e-9)
 
 

@@ -121,7 +121,7 @@ def test_a_corner_is_a_blow(route: str) -> None:
 
 
 def lesser_or_greater(seed: int) -> tuple[str, float, float]:
-    """Two straight laws that cross between 0.2 s and 1.8 s, the lesser or the greater of them; its value and rate at 2 s."""
+    """Two straight laws that cross before 1.8 s, the lesser or the greater of them; value and rate at 2 s."""
     rng = np.random.default_rng(seed)
     corner = float(rng.choice([rng.uniform(0.2, 1.8), rng.integers(1, 8) / 4]))
     slope = [0.0 if rng.random() < 0.3 else float(rng.uniform(-2, 2)), float(rng.uniform(-2, 2))]

@@ -111,7 +111,7 @@ def driven_plate(gap: float, swing: float, rate: float, restitution: float, blow
 def last_blow(
     gap: float, swing: float, rate: float, restitution: float, blows: int
 ) -> tuple[Any, Any] | None:
-    """Its time, and the speed after it, in 40 digits; None where a blow is so slow that it may be missed here."""
+    """Its time, and the speed after it, in 40 digits; None where a blow is so slow that it may be missed."""
     with mp.workdps(40):
         g, y, v, t = mp.mpf(9.81), mp.mpf(gap), mp.mpf(0), mp.mpf(0)
         for blow in range(blows):

@@ -1,4 +1,6 @@
-"""What comes to zero and stays there: speeds that friction ends, springs in their free position, bounces; by closed forms."""
+"""What comes to zero and stays there: speeds that friction ends, springs in their free position, bounces."""
+
+# ruff: noqa: E501
 
 from __future__ import annotations
 

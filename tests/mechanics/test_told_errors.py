@@ -1,4 +1,6 @@
-"""Errors that are told cover the true ones: ends of edges, places where a motion turns back, beads on curves."""
+"""Errors that are told cover the true ones: ends of edges, places where motions turn back, beads on curves."""
+
+# ruff: noqa: E501
 
 from __future__ import annotations
 

@@ -174,8 +174,8 @@ int pm_path_meet(pm_workspace *w, pm_place *place)
     if (w->tree->nloop == 0) return PM_OK;
     memcpy(met->y, place->y, (size_t)p->n * sizeof *met->y);
     pm_tree_hold(w->tree, p->driver);
-    const int closed =
-        !pm_tree_close(w, met->y, met->q, &p->loop) && !pm_tree_slope(w, &p->loop, met->slope) && is_determined(w);
+    const int closed = !pm_tree_close(w, met->y, met->q, &p->loop) &&
+                       !pm_tree_slope(w, &p->loop, met->slope) && is_determined(w);
     if (closed) memcpy(place->y, met->y, (size_t)p->n * sizeof *met->y);
     const int status = pm_path_look(w, place);
     if (!status) tell_by(w->model, p, place, p->driver);

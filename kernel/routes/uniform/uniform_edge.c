@@ -301,7 +301,8 @@ static void note_open(pm_closing *x, const pm_edge_motion *edge, double left, do
         const pm_poly corner = corner_of(edge, side), rate = derivative_of(&corner);
         const int n = roots_of(rate, top);
         for (int i = 0; i < n; i++)
-            if (is_inside(top[i], step) && is_beyond(edge, side, top[i]) && !(off(edge, side, top[i]) <= left))
+            if (is_inside(top[i], step) && is_beyond(edge, side, top[i]) &&
+                !(off(edge, side, top[i]) <= left))
                 keep_least(x, off(edge, side, top[i]), reach);
         if (edge->radius > 0 && is_beyond(edge, side, step[1]))
             x->rate = value_of(&rate, step[1]) / (2 * edge->radius);
@@ -316,7 +317,8 @@ void pm_uniform_edge_note(pm_workspace *w, int contact)
     const pm_edge_motion edge = motion_of(&w->frame, w->uniform, contact);
     if (w->state.slot[w->model->contact_slot[contact]].mode == PM_OPEN)
         note_open(&u->closing[contact], &edge,
-                  is_leaving(&w->frame, &edge) ? pm_contact_length(&w->frame) : -INFINITY, w->numbers.size, step);
+                  is_leaving(&w->frame, &edge) ? pm_contact_length(&w->frame) : -INFINITY, w->numbers.size,
+                  step);
     else
         note_end(&u->closing[contact], &edge, w->numbers.size, step);
 }

@@ -225,9 +225,7 @@ static int observers_are_clear(pm_workspace *w, const pm_rest *r)
         case PM_ASK_MIN:
         case PM_ASK_AT_MIN: clear = x.falls || x.least >= w->ask->best[ask]; break;
         case PM_ASK_GRID: clear = grid_is_clear(&w->numbers, w->ask, e, &x); break;
-        default:
-            look_at_end(w, r);
-            clear = pm_integral_series_is_clear(w, r->contact, ask, r->e, r->time);
+        default: look_at_end(w, r); clear = pm_integral_series_is_clear(w, r->contact, ask, r->e, r->time);
         }
         if (!clear) return 0;
     }

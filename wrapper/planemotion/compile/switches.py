@@ -51,8 +51,8 @@ _OF_EVENT = (layout.PM_MEASURE_EVENT_COUNT, layout.PM_MEASURE_EVENT_TIME)
 
 
 def _finite(node: Node, as_written: Node) -> Node:
-    """A function that has no value everywhere: of what its operand is by the side that holds, but of the operand
-    as it is written where that has none.
+    """A function that has no value everywhere: of its operand by the side that holds, but as it is written
+    where that side has none.
 
     A step goes on by its side until it is seen to switch: max(x, 0)^1.5 is then 0 where x^1.5 is no number.
     """
