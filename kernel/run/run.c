@@ -360,13 +360,15 @@ static int end(pm_workspace *w)
     return pm_ledger_close(w);
 }
 
-/* Where next to nothing of a constraint is left beside the others, velocities are rounding: no ledger closes, and no step is small
- * enough. */
+/* Where next to nothing of a constraint is left beside the others, velocities are rounding: no ledger closes, and what ida has
+ * handed over there finds no step that is small enough.  (What began on rk may, in a pass at another tolerance.) */
 static int explain(pm_workspace *w, int status)
 {
     status = pm_event_explain_strand(w, status);
     if (status == PM_SINGULAR && w->result.count[PM_COUNT_STEPS] > 0) return PM_ENDS_SINGULAR;
-    if (status != PM_AUDIT && status != PM_STEP_TOO_SMALL) return status;
+    const int asked = PM_SETTING(w->model, PM_SETTING_ROUTE),
+              handed = asked == PM_ROUTE_IDA && status == PM_STEP_TOO_SMALL;
+    if (status != PM_AUDIT && !handed) return status;
     if (!(pm_saddle_independence_there(w, &w->state) < PM_RUN_SINGULAR)) return status;
     return pm_fail(&w->result, PM_ENDS_SINGULAR, PM_NONE, PM_NONE, 0, 0);
 }
