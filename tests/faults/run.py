@@ -88,10 +88,4 @@ FAULTS = [
         "fastest = shifted / sqrt(PM_SHIFT);",
         "(void)shifted;",
     ),
-    Fault(
-        "explain: a step that is too small beside a singular position tells nothing",
-        "run/run.c",
-        "if (status != PM_AUDIT && !handed) return status;",
-        "if (status != PM_AUDIT) return status;",
-    ),
 ]

@@ -175,18 +175,6 @@ FAULTS = [
         "fmax(own, late)",
     ),
     Fault(
-        "errors: what one disturbance grows to is believed",
-        "study/accuracy.c",
-        "|| makes_much_of_rounding(w, trust)) judge",
-        ") judge",
-    ),
-    Fault(
-        "errors: between blows they go with the tolerance",
-        "study/accuracy.c",
-        "if (e->main->count[PM_COUNT_JUMPS] > 0) return 0;",
-        "",
-    ),
-    Fault(
         "margin: passes part where their histories first differ",
         "study/margin.c",
         "closest.parted = time_before(a, i);",
