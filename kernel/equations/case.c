@@ -352,6 +352,16 @@ double pm_case_shift(const pm_workspace *w, pm_state *shifted)
     return PM_SHIFT;
 }
 
+void pm_case_later(const pm_workspace *w, double later, pm_state *to)
+{
+    pm_state_copy(to, &w->state);
+    for (int i = 0; i < w->model->nq; i++) {
+        to->q[i] += later * (w->state.v[i] + 0.5 * later * w->frame.a[i]);
+        to->v[i] += later * w->frame.a[i];
+    }
+    to->t += later;
+}
+
 double pm_case_apart(const pm_numbers *numbers, int nq, const double *a, const double *b)
 {
     double apart = 0;

@@ -25,6 +25,8 @@ double pm_case_time_scale(const pm_model *model, const pm_numbers *numbers, cons
 /* w->state with everything in it moved by a part of its natural size, no two coordinates alike: what a function changes by,
  * over that part, is its own natural size.  Returns the part. */
 double pm_case_shift(const pm_workspace *w, pm_state *shifted);
+/* w->state so much later, s, as it goes on with its velocities and the accelerations of the frame, which looks there (DYNAMIC). */
+void pm_case_later(const pm_workspace *w, double later, pm_state *to);
 /* How far two states are apart, a[2][nq] and b[2][nq] of positions and velocities: the greatest part of its natural size by which
  * a coordinate differs. */
 double pm_case_apart(const pm_numbers *numbers, int nq, const double *a, const double *b);

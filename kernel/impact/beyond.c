@@ -19,7 +19,6 @@
 #include "numerics/tolerances.h"
 #include "numerics/tolerances_impact.h"
 #include "state/frame.h"
-#include "state/state.h"
 
 /* Something else than a trigger has ended the phase. */
 static int changes_course(const pm_event_set *e, const pm_step *step)
@@ -36,17 +35,6 @@ static int may_stay(const pm_workspace *w, const pm_event_function *f)
     return w->firing.fired[f->index] == PM_FIRED_NOW && f->direction != 0 && !f->every &&
            w->model->programs.level[program] == PM_LEVEL_KINEMATIC &&
            !pm_trigger_on_time(w->model, f->index) && !pm_trigger_of_switch(w->model, f->index);
-}
-
-/* The state of the frame so much later, by its velocities and accelerations. */
-static void move_on(const pm_workspace *w, double later, pm_state *to)
-{
-    pm_state_copy(to, &w->state);
-    for (int i = 0; i < w->model->nq; i++) {
-        to->q[i] += later * (w->frame.v[i] + 0.5 * later * w->frame.a[i]);
-        to->v[i] += later * w->frame.a[i];
-    }
-    to->t += later;
 }
 
 static int goes_beyond(pm_workspace *w, const pm_event_function *f, double here)
@@ -66,7 +54,7 @@ int pm_beyond_leave_out(pm_workspace *w)
         const pm_event_function *f = &e->function[i];
         if (!e->hit[i] || !may_stay(w, f)) continue;
         if (!looked) {
-            move_on(w, pm_case_shift(w, &w->probe) * w->numbers.size / w->numbers.speed, &w->ahead);
+            pm_case_later(w, pm_case_shift(w, &w->probe) * w->numbers.size / w->numbers.speed, &w->ahead);
             looked = 1;
         }
         if (!goes_beyond(w, f, pm_event_value_at(w, f, &w->state)))

@@ -9,6 +9,7 @@
 #include "elements/curve_piece.h"
 #include "elements/joint.h"
 #include "elements/trigger.h"
+#include "equations/case.h"
 #include "equations/saddle.h"
 #include "events/event.h"
 #include "expression/piecewise.h"
@@ -103,24 +104,12 @@ static int settle_piece(pm_workspace *w, int reading, int located, int goes_on)
 }
 
 /* ---- pieces of curves ---- */
-/* The frame looks a little later, by its accelerations. */
-static void go_ahead(pm_workspace *w)
-{
-    const double after = PM_FOOT_LOOK * w->numbers.size / w->numbers.speed;
-    pm_state_copy(&w->probe, &w->state);
-    w->probe.t += after;
-    for (int i = 0; i < w->model->nq; i++) {
-        w->probe.q[i] += after * (w->state.v[i] + 0.5 * after * w->frame.a[i]);
-        w->probe.v[i] += after * w->frame.a[i];
-    }
-    pm_frame_look_state(&w->frame, &w->probe);
-}
-
 /* The piece of its curve into which the motion leads the foot of a constraint. */
 static int settle_foot(pm_workspace *w, const pm_constraint *c)
 {
     const double here = pm_constraint_curve_foot(&w->frame, c);
-    go_ahead(w);
+    pm_case_later(w, PM_FOOT_LOOK * w->numbers.size / w->numbers.speed, &w->probe);
+    pm_frame_look_state(&w->frame, &w->probe);
     const double ahead = pm_constraint_curve_foot(&w->frame, c), way = isfinite(ahead) ? ahead - here : 0;
     pm_frame_look_state(&w->frame, &w->state);
     const double nothing = fmax(PM_FOOT_ON_END * fabs(way), PM_ON_ZERO * fabs(here));

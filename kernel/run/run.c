@@ -113,7 +113,8 @@ static double speed_by_stiffness(pm_workspace *w)
 static void set_speed_scale(pm_workspace *w)
 {
     double fastest = speed_by_forces(w);
-    const double shifted = speed_by_stiffness(w);
+    const int by_place = w->model->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_omega(&w->frame) != 0;
+    const double shifted = by_place ? speed_by_stiffness(w) : fastest;
     if (pm_max(fastest, w->numbers.speed) <= PM_SPEED_ROUNDING * shifted) fastest = shifted / sqrt(PM_SHIFT);
     fastest = pm_max(fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size, fastest);
     if (fastest > w->numbers.speed) w->numbers.speed = fastest;

@@ -53,15 +53,21 @@ static void other_modes_tried(void)
     }
 }
 
+/* Two passes that are compared, and of which nothing else is known. */
+static void compare(pm_accuracy *e, double parted)
+{
+    memset(e, 0, sizeof *e);
+    e->main = &e->pass[0];
+    e->other = &e->pass[1];
+    e->closest = (pm_closest){INFINITY, NULL, PM_NONE, parted};
+    e->main->tied = e->other->tied = e->main->unseen.t = e->other->unseen.t = NAN;
+}
+
 /* The run is in doubt where the pass that it is compared with could not go on. */
 static void other_ended(void)
 {
     pm_accuracy e;
-    memset(&e, 0, sizeof e);
-    e.main = &e.pass[0];
-    e.other = &e.pass[1];
-    e.closest = (pm_closest){INFINITY, NULL, PM_NONE, 0};
-    e.main->tied = e.other->tied = e.main->unseen.t = e.other->unseen.t = NAN;
+    compare(&e, 0);
     e.main->outcome = 1;
     e.other->status = PM_BOUNCES_ON;
     e.other->where = (pm_where){PM_TABLE_CONTACT, 3, PM_NONE, 0.1, 0.2};
@@ -92,11 +98,7 @@ static void decided_otherwise(void)
     y[2].history = 8;
     EQUAL(pm_margin_of_logs(&a, &b, NULL).parted, 0);
     pm_accuracy e;
-    memset(&e, 0, sizeof e);
-    e.main = &e.pass[0];
-    e.other = &e.pass[1];
-    e.closest = (pm_closest){INFINITY, NULL, PM_NONE, 3};
-    e.main->tied = e.other->tied = e.main->unseen.t = e.other->unseen.t = NAN;
+    compare(&e, 3);
     pm_margin_undecided(NULL, &e, 0);
     EQUAL(e.main->where.member, PM_DECISION_OUTCOME);
     NEAR(e.main->t, 3, 0);

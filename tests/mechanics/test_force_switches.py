@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 
 from planemotion import SimulationError, load_text
-from tests.scenes import ROUTES, G, number
+from tests.scenes import ROUTES, G, answers, number
 
 
 def close(text: str, route: str, true: dict[str, float], rel: float = 1e-8) -> None:
-    result = load_text(f'{text}\nsolve.route = "{route}"\n').run()
-    assert result.ok, (text, result.error)
+    found = answers(text, route)
     for key, value in true.items():
-        assert number(result[key]) == pytest.approx(value, rel=rel), (key, text)
+        assert number(found[key]) == pytest.approx(value, rel=rel), (key, text)
 
 
 DRAGS = (
