@@ -23,6 +23,7 @@
 #include "events/bounce_series.h"
 #include "events/event.h"
 #include "events/flight_firings.h"
+#include "events/left_out.h"
 #include "expression/program.h"
 #include "numerics/tolerances.h"
 #include "state/arena.h"
@@ -45,10 +46,8 @@ typedef struct pm_left {
 } pm_left;
 
 struct pm_blows_left {
-    pm_left *of; /* [ncontact] */
-    /* of the contact that was closed last */
-    double *change; /* [nq] D */
-    double *joint;  /* [njoint_constraint] impulses of joints, N s */
+    pm_left *of;   /* [ncontact] */
+    double *joint; /* [njoint_constraint] impulses of joints at the blow that closed a contact last, N s */
 };
 
 int pm_blows_left_create(pm_workspace *w)
@@ -57,14 +56,15 @@ int pm_blows_left_create(pm_workspace *w)
     struct pm_blows_left *x = w->event->left;
     const pm_array array[] = {
         PM_ARRAY(x->of, w->model->rows[PM_TABLE_CONTACT]),
-        PM_ARRAY(x->change, w->model->nq),
         PM_ARRAY(x->joint, w->model->njoint_constraint),
     };
-    return pm_arena_take(&w->memory, PM_ARRAYS(array));
+    const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
+    return status ? status : pm_left_out_create(w);
 }
 
 void pm_blows_left_forget(const pm_workspace *w)
 {
+    pm_left_out_forget(w);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
         w->event->left->of[i] = (pm_left){.next = INFINITY, .struck = NAN};
 }
@@ -127,7 +127,7 @@ void pm_blows_left_hold(pm_workspace *w, int contact, const double *before)
     *x = (pm_left){.held = 1, .next = INFINITY, .struck = w->state.t};
     memcpy(x->impulse, w->impulses.slot + 2 * w->model->contact_slot[contact], sizeof x->impulse);
     memcpy(left->joint, w->impulses.joint, (size_t)w->model->njoint_constraint * sizeof *left->joint);
-    for (int i = 0; i < w->model->nq; i++) left->change[i] = w->state.v[i] - before[i];
+    pm_left_out_hold(w, contact, before);
 }
 
 /* Where it has not settled the ratio of its last two flights tells, but not less than restitution, as of the time that is left. */
@@ -322,9 +322,8 @@ int pm_blows_left_strike(pm_workspace *w)
 }
 
 /* ---- what is left out ---- */
-static double value_with(pm_workspace *w, int program, double factor)
+static double value_with(pm_workspace *w, int program, const double *change, double factor)
 {
-    const double *change = w->event->left->change;
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] += factor * change[i];
     const double value = pm_program_run(w, program);
     for (int i = 0; i < w->model->nq; i++) w->frame.velocity[i] = w->state.v[i];
@@ -334,9 +333,10 @@ static double value_with(pm_workspace *w, int program, double factor)
 /* At the closing blow it leaves with more than was computed; a later one is not computed at all. */
 static double error_of(pm_workspace *w, int contact, const pm_left *x, int program, int before)
 {
-    const double value = pm_program_run(w, program);
+    const double value = pm_program_run(w, program), *change = pm_left_out_change(w, contact);
+    if (!change) return 0;
     if (!before) put_impulses(w, contact, x->comes > 0 ? 0 : 1 + x->leaves);
-    const double there = value_with(w, program, before ? -x->comes : x->leaves);
+    const double there = value_with(w, program, change, before ? -x->comes : x->leaves);
     put_impulses(w, contact, impulse_of(x));
     return fabs(there - value);
 }
@@ -346,7 +346,10 @@ double pm_blows_left_error(pm_workspace *w, int program, int before)
     double sum = 0;
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT] && w->evidence.active; i++) {
         const pm_left *x = w->event->left->of + i;
-        if (x->struck == w->state.t) sum += error_of(w, i, x, program, before);
+        if (x->struck == w->frame.t)
+            sum += error_of(w, i, x, program, before);
+        else if (goes_on(w, i))
+            sum += pm_left_out_error(w, i, over(w, i), x->ratio, program);
     }
     return isfinite(sum) ? PM_BLOWS_LEFT_SURE * sum : 0;
 }

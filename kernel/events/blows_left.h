@@ -18,7 +18,7 @@ int pm_blows_left_strike(pm_workspace *w);
 /* Those that nothing waits for are counted up to this instant. */
 void pm_blows_left_count(pm_workspace *w);
 /* By how much a program at the frame, just before the blow or after it, is off because velocities and impulses of such a blow of this
- * instant are left out. */
+ * instant are left out, or the flight that goes on at it. */
 double pm_blows_left_error(pm_workspace *w, int program, int before);
 
 #endif

@@ -52,4 +52,16 @@ FAULTS = [
         "return off <= fmax(",
         "return off >= 0 || off <= fmax(",
     ),
+    Fault(
+        "left out: within a flight that is left out speeds are known",
+        "events/left_out.c",
+        "fmax(fabs(high - value), fmax(fabs(up - value), fabs(down - value)))",
+        "fabs(high - value)",
+    ),
+    Fault(
+        "left out: within a flight that is left out heights are known",
+        "events/left_out.c",
+        "high = value_moved(w, program, change, top, 0)",
+        "high = value_moved(w, program, change, 0 * top, 0)",
+    ),
 ]

@@ -1,0 +1,1 @@
+"""Whole scenes of many kinds, drawn at random beside closed forms."""

@@ -1,0 +1,89 @@
+"""A scene that was drawn, with its truth, and what becomes of it on a route."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+import planemotion
+from planemotion.engine.result import AskValue
+from tests.stress.misses.verdict import BEYOND, BEYOND_BY, MISS, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors
+
+FAILED = "failed"  # no scene of a kind has a reason to
+UNDECIDED = "undecided"  # by its status, where nothing is on an edge
+ROUNDING = 1e-13  # of the size of an answer: what doubles may take from scene and truth
+Value = float | Sequence[float]
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A scene without its `[solve]`; `truth`: by ask, a list where there are many; counts are int.
+
+    size: what doubles of an answer are rounded by, where that is more than the answer itself; edge: the counts lie
+    within rounding of others.
+    """
+
+    text: str
+    truth: Mapping[str, Value]
+    size: Mapping[str, float] = field(default_factory=dict)
+    edge: bool = False
+
+
+Kind = Callable[[random.Random], Drawn]
+
+
+@dataclass(frozen=True)
+class Judged:
+    word: str
+    errors: Errors
+    detail: str
+
+
+def judged(drawn: Drawn, route: str, accuracy: float) -> Judged:
+    """What becomes of it, and of which ask the word is."""
+    none = Errors(np.zeros(0), np.zeros(0))
+    solve = f'\n[solve]\nroute = "{route}"\naccuracy = {accuracy!r}\n'
+    try:
+        result = planemotion.load_text(drawn.text + solve).run()
+    except planemotion.SimulationError as error:
+        return Judged(FAILED, none, str(error).splitlines()[0])
+    if result.status != "ok":
+        word = UNDECIDED if result.status == "undecided" and not drawn.edge else TOLD
+        return Judged(word, none, result.status)
+    words, true, told = [(RIGHT, "")], [], []
+    for name, truth in drawn.truth.items():
+        ask = result.asks[name]
+        word, off, errors = _beside(ask, truth, drawn.size.get(name, 0.0))
+        words.append((word, f"{name}: {ask.value} +- {ask.error}, true is {truth}"))
+        true += off
+        told += errors
+    word, detail = max(words, key=lambda one: (RIGHT, BEYOND, MISSED).index(one[0]))
+    if drawn.edge and word != RIGHT:
+        return Judged(NOT_JUDGED, none, detail)
+    return Judged(word, Errors(np.array(true), np.array(told)), detail)
+
+
+def _beside(ask: AskValue, truth: Value, size: float) -> tuple[str, list[float], list[float]]:
+    """The word for one ask, its true errors and those told; a count has none that is told."""
+    found, true = _listed(ask.value), _listed(truth)
+    if len(found) != len(true):
+        return MISSED, [], []
+    if isinstance(truth, int):
+        return (RIGHT if found == true else MISSED), [], []
+    told = _listed(ask.error) if isinstance(ask.error, list) else [float(ask.error or 0.0)] * len(true)
+    off = [abs(one - other) for one, other in zip(found, true, strict=True)]
+    sizes = [max(size, abs(one)) for one in true]
+    word = RIGHT
+    for one, error, most in zip(off, told, sizes, strict=True):
+        if not one <= BEYOND_BY * error + ROUNDING * most:
+            word = MISSED if word == MISSED or not one <= MISS * most else BEYOND
+    least = [max(one, np.finfo(float).eps * most) for one, most in zip(off, sizes, strict=True)]
+    return word, least, told
+
+
+def _listed(value: object) -> list[float]:
+    return [math.nan if one is None else float(one) for one in (value if isinstance(value, list | tuple) else [value])]  # type: ignore[arg-type]
