@@ -84,6 +84,7 @@ stress: setup
 	$(BIN)/python -m tests.stress $(STRESS)
 	$(BIN)/python -m tests.stress.contacts $(CONTACTS)
 	$(BIN)/python -m tests.stress.misses $(MISSES)
+	$(BIN)/python -m tests.stress.kinds $(KINDS)
 	$(BIN)/python -m tests.stress.tables $(TABLES)
 	$(BIN)/python -m tests.stress.tables --valid
 	$(BIN)/python -m tests.stress.tables --threads

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "elements/constraint.h"
+#include "numerics/lanes.h"
 #include "state/workspace.h"
 
 void pm_constraint_marks_blank(pm_constraint *c, int kind)
@@ -34,8 +35,7 @@ void pm_constraint_marks_point_and_line(const pm_frame *frame, pm_constraint *c,
     const int32_t *e = PM_LINE_ROW(frame->model, line);
     pm_constraint_marks_points(frame, c, point, e[PM_LINE_POINT]);
     c->value = frame->numbers->value[e[PM_LINE_ANGLE]];
-    c->axis[0] = cos(c->value);
-    c->axis[1] = sin(c->value);
+    pm_lanes_store(c->axis, pm_lanes_axis(c->value));
 }
 
 void pm_constraint_marks_circle_and_line(const pm_frame *frame, pm_constraint *c, int circle, int line)

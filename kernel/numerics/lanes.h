@@ -2,6 +2,7 @@
 #ifndef PM_LANES_H
 #define PM_LANES_H
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -43,6 +44,17 @@ static inline pm_lanes pm_lanes_direction(double angle)
 #else
     return (pm_lanes){cos(angle), sin(angle)};
 #endif
+}
+
+/* Likewise, of a line: one at a right angle, as near as doubles are, lies along an axis.  Its cosine would be 6e-17, and by that
+ * much a wall would throw what comes straight at it aside. */
+static inline pm_lanes pm_lanes_axis(double angle)
+{
+    const pm_lanes x = pm_lanes_direction(angle);
+    const double rounding = 0.5 * DBL_EPSILON * fabs(angle);
+    if (fabs(x[0]) <= rounding) return (pm_lanes){0, copysign(1, x[1])};
+    if (fabs(x[1]) <= rounding) return (pm_lanes){copysign(1, x[0]), 0};
+    return x;
 }
 
 static inline double pm_lanes_sum(pm_lanes v) { return v[0] + v[1]; }

@@ -190,4 +190,10 @@ FAULTS = [
         "if (may_leap(up, along)) return",
         "if (may_leap(up, along) && up.lo > up.hi) return",
     ),
+    Fault(
+        "lanes: a line at a right angle lies nearly along an axis",
+        "numerics/lanes.h",
+        "const double rounding = 0.5 * DBL_EPSILON * fabs(angle);",
+        "const double rounding = 0 * fabs(angle);",
+    ),
 ]

@@ -10,20 +10,14 @@ import pytest
 
 from planemotion import SimulationError, load_text
 from tests.scenes import ROUTES, G, answers, number
+from tests.stress.kinds.flights import DRAGS
+from tests.stress.kinds.forces import REGION
 
 
 def close(text: str, route: str, true: dict[str, float], rel: float = 1e-8) -> None:
     found = answers(text, route)
     for key, value in true.items():
         assert number(found[key]) == pytest.approx(value, rel=rel), (key, text)
-
-
-DRAGS = (
-    "-c*abs(b.velocity.y)*b.velocity.y",
-    "-c*sign(b.velocity.y)*b.velocity.y^2",
-    "c*(max(0 m/s, -b.velocity.y)^2 - max(0 m/s, b.velocity.y)^2)",
-    "-c*b.velocity.y*max(b.velocity.y, -b.velocity.y)",
-)
 
 
 @pytest.mark.parametrize("route", ROUTES)
@@ -46,16 +40,6 @@ def test_thrown_fast_and_falling_back(law: str, route: str) -> None:
         """
         true = {"v": -speed / math.sqrt(1 + ratio**2), "y": math.log1p(ratio**2) / (2 * c)}
         close(text, route, true, 1e-7)
-
-
-REGION = """
-until = "t = {time!r} s"
-plane = "horizontal"
-bodies.b = {{ mass = "1 kg", at = [0, 0] }}
-start.b.velocity = ["{speed!r} m/s", 0]
-forces.f = {{ force = "b", value = ["({force!r} N)*{where}", 0] }}
-ask.v = "b.velocity.x"
-"""
 
 
 @pytest.mark.parametrize("route", ROUTES)

@@ -6,14 +6,13 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import pytest
 
 import planemotion
+from tests.stress.kinds.multiples import OTHERS, flying, passages, swing
 
 ROUTES = ["auto", "rk", "ida"]
 
@@ -23,45 +22,10 @@ def run(text: str, route: str) -> Any:
     return planemotion.load_text(f'{text}\n{asks}solve.route = "{route}"\n').run()
 
 
-def swing(size: float, rate: float, phase: float, t: float) -> float:
-    return size * math.cos(rate * t + phase)
-
-
-def flying(y: float, v: float, g: float, t: float) -> float:
-    return y + v * t - g * t * t / 2
-
-
-def passages(p: Callable[[float], float], ends: list[float]) -> list[float]:
-    """Where p, which only rises or falls from one of the ends to the next, reaches integers."""
-    found = []
-    for a, b in pairwise(ends):
-        way = 1 if p(b) > p(a) else -1
-        m = way * (math.floor(way * p(a) + 1e-9) + 1)
-        while way * m <= way * p(b):
-            low, high = a, b
-            for _ in range(60):
-                middle = 0.5 * (low + high)
-                low, high = (low, middle) if way * p(middle) >= way * m else (middle, high)
-            found.append(high)
-            m += way
-    return found
-
-
 def check(found: Any, times: list[float], within: float) -> None:
     assert (found.status, found["n"]) == ("ok", len(times))
     assert found["times"] or not times
     assert list(found["times"]) == pytest.approx(times[: len(found["times"])], abs=within)
-
-
-OTHERS = [
-    "b.x > {a} m",
-    "b.x every {a} m",
-    "t = {a} s",
-    "t every {a} s",
-    "b.y every {a} m",
-    "b.velocity.y < 0",
-    "b.y = -0.01 m",
-]
 
 
 @pytest.mark.parametrize("other", OTHERS)

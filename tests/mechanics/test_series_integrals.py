@@ -2,65 +2,32 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 
 import planemotion
+from tests.stress.kinds.flights import BOUNCING, SERIES, G, series
 
-G = 9.81
 ROUTES = ["auto", "rk", "ida"]
 
 
 def scene(h: float, e: float, vx: float, until: str, accuracy: float, route: str) -> str:
-    return f"""
-until = "{until}"
-ground.lines.floor = {{ through = [0, 0] }}
-bodies.b = {{ mass = "1 kg", at = [0, "{h!r} m"] }}
-start.b.velocity = ["{vx!r} m/s", 0]
-contacts.floor = {{ touch = ["b", "ground.floor"], restitution = {e!r} }}
-[ask]
-way = {{ integral = "abs(b.velocity.y)" }}
-below = {{ integral = "b.y" }}
-aside = {{ integral = "b.x" }}
-squares = {{ integral = "b.velocity.y^2" }}
-pressed = {{ integral = "floor.normal" }}
-mean = {{ mean = "b.y" }}
-up = {{ mean = "b.y", during = "b.velocity.y > 0" }}
+    return f"""{BOUNCING.format(until=until, h=h, e=e, aside=vx)}
+{SERIES}
 [solve]
 accuracy = {accuracy!r}
 route = "{route}"
 """
 
 
-def truth(h: float, e: float, vx: float, end: float | None) -> tuple[dict[str, float], float]:
-    """Flight k begins at v e^k and takes 2 v e^k / g."""
-    v = math.sqrt(2 * G * h)
-    rest = v / G * (1 + e) / (1 - e)
-    t = rest if end is None else end
-    q = e**3 / (1 - e**3)
-    below = v**3 / G**2 * (1 / 3 + 2 / 3 * q)
-    rises = v / G * e / (1 - e)
-    return {
-        "way": h * (1 + 2 * e**2 / (1 - e**2)),
-        "below": below,
-        "aside": 0.5 * vx * t**2,
-        "squares": v**3 / G * (1 / 3 + 2 / 3 * q),
-        "pressed": G * (t - rest),
-        "mean": below / t,
-        "up": v**3 / G**2 / 3 * q / rises,
-    }, rest
-
-
 def check(h: float, e: float, vx: float, after: float, accuracy: float, route: str) -> None:
-    _, rest = truth(h, e, vx, None)
+    _, rest = series(h, e, vx, None)
     end = None if vx == 0 else float(f"{after * rest:.7g}")
     until = "b rests" if end is None else f"t = {end!r} s"
     result = planemotion.load_text(scene(h, e, vx, until, accuracy, route)).run()
     assert result.status == "ok"
     sizes = {"aside": (abs(vx) + 1) * rest**2, "pressed": G * rest}
-    for name, value in truth(h, e, vx, end)[0].items():
+    for name, value in series(h, e, vx, end)[0].items():
         told = result.asks[name].error
         assert isinstance(told, float)
         assert result[name] == pytest.approx(value, rel=2e-15, abs=10 * told + 1e-15 * sizes.get(name, 0)), (

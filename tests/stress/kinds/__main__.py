@@ -14,7 +14,7 @@ from functools import partial
 from rich.console import Console
 from rich.table import Table
 
-from tests.stress.kinds import flights, forces, friction, multiples
+from tests.stress.kinds import blows, flights, forces, friction, multiples, swings
 from tests.stress.kinds.drawn import FAILED, UNDECIDED, Drawn, Judged, Kind, judged
 from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors
 
@@ -34,6 +34,11 @@ KINDS: dict[str, Kind] = {
         forces.bumper,
         multiples.beside_others,
         multiples.of_an_oscillator,
+        swings.damped,
+        swings.driven,
+        swings.dry,
+        blows.balls_in_a_row,
+        blows.ball_on_a_rod,
     )
 }
 ROUTES, OFTEN = ("auto", "rk", "ida"), (0.45, 0.45, 0.1)
@@ -79,7 +84,9 @@ def main() -> int:
     others = [one for one in sorted(found, key=lambda one: one[0]) if one[-1].word in (FAILED, UNDECIDED)]
     for one in faults[:SHOWN] + others[:SHOWN]:
         number, name, route, accuracy, what = one
-        console.print(f"--only {number} ({name}, {route}, {accuracy:g}) {what.word}: {what.detail}", markup=False)
+        console.print(
+            f"--only {number} ({name}, {route}, {accuracy:g}) {what.word}: {what.detail}", markup=False
+        )
     console.print(f"{len(faults)} faults in {time.monotonic() - begun:.0f} s")
     return 1 if faults else 0
 

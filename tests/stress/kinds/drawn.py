@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -16,14 +17,14 @@ from tests.stress.misses.verdict import BEYOND, BEYOND_BY, MISS, MISSED, NOT_JUD
 FAILED = "failed"  # no scene of a kind has a reason to
 UNDECIDED = "undecided"  # by its status, where nothing is on an edge
 ROUNDING = 1e-13  # of the size of an answer: what doubles may take from scene and truth
-Value = float | Sequence[float]
+Value = float | list[float]
 
 
 @dataclass(frozen=True)
 class Drawn:
     """A scene without its `[solve]`; `truth`: by ask, a list where there are many; counts are int.
 
-    size: what doubles of an answer are rounded by, where that is more than the answer itself; edge: the counts lie
+    size: of an answer, where that is more than its value, of which doubles keep a part; edge: its counts lie
     within rounding of others.
     """
 
@@ -54,6 +55,8 @@ def judged(drawn: Drawn, route: str, accuracy: float) -> Judged:
     if result.status != "ok":
         word = UNDECIDED if result.status == "undecided" and not drawn.edge else TOLD
         return Judged(word, none, result.status)
+    if any(ask.error is None for ask in result.asks.values()):
+        return Judged(TOLD, none, "errors that nobody knows")
     words, true, told = [(RIGHT, "")], [], []
     for name, truth in drawn.truth.items():
         ask = result.asks[name]
@@ -69,12 +72,12 @@ def judged(drawn: Drawn, route: str, accuracy: float) -> Judged:
 
 def _beside(ask: AskValue, truth: Value, size: float) -> tuple[str, list[float], list[float]]:
     """The word for one ask, its true errors and those told; a count has none that is told."""
-    found, true = _listed(ask.value), _listed(truth)
+    found, true = _listed(ask.value), [*truth] if isinstance(truth, list) else [truth]
     if len(found) != len(true):
         return MISSED, [], []
     if isinstance(truth, int):
         return (RIGHT if found == true else MISSED), [], []
-    told = _listed(ask.error) if isinstance(ask.error, list) else [float(ask.error or 0.0)] * len(true)
+    told = _listed(ask.error) if isinstance(ask.error, list) else _listed(ask.error) * len(true)
     off = [abs(one - other) for one, other in zip(found, true, strict=True)]
     sizes = [max(size, abs(one)) for one in true]
     word = RIGHT
@@ -85,5 +88,7 @@ def _beside(ask: AskValue, truth: Value, size: float) -> tuple[str, list[float],
     return word, least, told
 
 
-def _listed(value: object) -> list[float]:
-    return [math.nan if one is None else float(one) for one in (value if isinstance(value, list | tuple) else [value])]  # type: ignore[arg-type]
+def _listed(value: Any) -> list[float]:
+    return [
+        math.nan if one is None else float(one) for one in (value if isinstance(value, list) else [value])
+    ]

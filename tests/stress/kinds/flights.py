@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-
 import random
 
-from tests.stress.kinds.drawn import Drawn
+from tests.scenes import G
+from tests.stress.kinds.drawn import Drawn, Value
 
-G = 9.81  # m/s^2, of a scene that gives no other
 DRAGS = (
     "-c*abs(b.velocity.y)*b.velocity.y",
     "-c*sign(b.velocity.y)*b.velocity.y^2",
@@ -85,7 +84,9 @@ def bounces_for_a_while(draw: random.Random) -> Drawn:
         dip = math.sqrt(speeds[n] ** 2 - 2 * G * level)
         passed.append(sum(late > (speeds[n] + sign * dip) / G for sign in (-1, 1)))
     end = begins[n] + late
-    text = BOUNCING.format(until=f"t = {end!r} s", h=h, e=e, aside=0.0) + f"""
+    text = (
+        BOUNCING.format(until=f"t = {end!r} s", h=h, e=e, aside=0.0)
+        + f"""
 events.level = "b.y = {level!r} m"
 events.blow = "floor strikes"
 [ask]
@@ -95,7 +96,8 @@ levels = "level.count"
 blows = "blow.count"
 times = {{ of = "t", at = "each blow" }}
 """
-    truth = {
+    )
+    truth: dict[str, Value] = {
         "y": speeds[n] * late - 0.5 * G * late**2,
         "v": speeds[n] - G * late,
         "levels": 1 + sum(passed),

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-
 import random
 from itertools import accumulate
 
+from tests.scenes import G
 from tests.stress.kinds.drawn import Drawn
-from tests.stress.kinds.flights import G
 
 
 def measured(draw: random.Random) -> Drawn:
@@ -73,7 +72,11 @@ def thin_region(draw: random.Random) -> Drawn:
 
 def power_of_a_depth(draw: random.Random) -> Drawn:
     """m v^2/2 = k d^(p+1)/(p+1); it lasts 2 d/v times the integral of 1/sqrt(1 - s^(p+1)) over (0, 1)."""
-    power, k, speed = draw.choice([1.25, 1.5, 2, 2.5, 3.5]), 10 ** draw.uniform(0, 6), 10 ** draw.uniform(-1, 1)
+    power, k, speed = (
+        draw.choice([1.25, 1.5, 2, 2.5, 3.5]),
+        10 ** draw.uniform(0, 6),
+        10 ** draw.uniform(-1, 1),
+    )
     depth = draw.choice(["max(-b.y/(1 m), 0)", "(abs(b.y) - b.y)/(2 m)", "(-min(b.y, 0 m)/(1 m))"])
     e = power + 1
     deepest = (e * speed**2 / 2 / k) ** (1 / e)
@@ -115,8 +118,13 @@ def bumper(draw: random.Random) -> Drawn:
 until = "t = {end!r} s"
 ground.points.O = [0, "{-long!r} m"]
 bodies.m = {{ mass = "{mass} kg", at = [0, "{h!r} m"] }}
-forces.s = {{ spring = ["m", "ground.O"], stiffness = "{k!r} N/m", free_length = "{long!r} m", only = "push" }}
-events.down = "m.y < 0"
+[forces.s]
+spring = ["m", "ground.O"]
+stiffness = "{k!r} N/m"
+free_length = "{long!r} m"
+only = "push"
+[events]
+down = "m.y < 0"
 [ask]
 y = "m.y"
 v = "m.velocity.y"

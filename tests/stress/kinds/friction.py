@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-
 import random
 
+from tests.scenes import G
 from tests.stress.kinds.drawn import Drawn
-from tests.stress.kinds.flights import G
 
 
 def up_an_incline(draw: random.Random) -> Drawn:
@@ -73,7 +72,9 @@ left = "left.count"
         "right": int(way > 0),
         "left": int(way < 0),
     }
-    return Drawn(text, truth, {"x": rate / mass * (loose + late) ** 3, "v": rate / mass * (loose + late) ** 2})
+    return Drawn(
+        text, truth, {"x": rate / mass * (loose + late) ** 3, "v": rate / mass * (loose + late) ** 2}
+    )
 
 
 def skids_until_it_rolls(draw: random.Random) -> Drawn:

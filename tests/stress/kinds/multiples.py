@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
-
-import random
 
 from tests.stress.kinds.drawn import Drawn
 
