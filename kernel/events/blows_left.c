@@ -46,7 +46,8 @@ typedef struct pm_left {
 } pm_left;
 
 struct pm_blows_left {
-    pm_left *of;   /* [ncontact] */
+    pm_left *of; /* [ncontact] */
+    pm_left_out *out;
     double *joint; /* [njoint_constraint] impulses of joints at the blow that closed a contact last, N s */
 };
 
@@ -59,12 +60,12 @@ int pm_blows_left_create(pm_workspace *w)
         PM_ARRAY(x->joint, w->model->njoint_constraint),
     };
     const int status = pm_arena_take(&w->memory, PM_ARRAYS(array));
-    return status ? status : pm_left_out_create(w);
+    return status ? status : pm_left_out_create(w, &x->out);
 }
 
 void pm_blows_left_forget(const pm_workspace *w)
 {
-    pm_left_out_forget(w);
+    pm_left_out_forget(w->event->left->out);
     for (int i = 0; i < w->model->rows[PM_TABLE_CONTACT]; i++)
         w->event->left->of[i] = (pm_left){.next = INFINITY, .struck = NAN};
 }
@@ -127,7 +128,7 @@ void pm_blows_left_hold(pm_workspace *w, int contact, const double *before)
     *x = (pm_left){.held = 1, .next = INFINITY, .struck = w->state.t};
     memcpy(x->impulse, w->impulses.slot + 2 * w->model->contact_slot[contact], sizeof x->impulse);
     memcpy(left->joint, w->impulses.joint, (size_t)w->model->njoint_constraint * sizeof *left->joint);
-    pm_left_out_hold(w, contact, before);
+    pm_left_out_hold(left->out, &w->state, contact, before);
 }
 
 /* Where it has not settled the ratio of its last two flights tells, but not less than restitution, as of the time that is left. */
@@ -333,7 +334,8 @@ static double value_with(pm_workspace *w, int program, const double *change, dou
 /* At the closing blow it leaves with more than was computed; a later one is not computed at all. */
 static double error_of(pm_workspace *w, int contact, const pm_left *x, int program, int before)
 {
-    const double value = pm_program_run(w, program), *change = pm_left_out_change(w, contact);
+    const double value = pm_program_run(w, program),
+                 *change = pm_left_out_change(w->event->left->out, contact);
     if (!change) return 0;
     if (!before) put_impulses(w, contact, x->comes > 0 ? 0 : 1 + x->leaves);
     const double there = value_with(w, program, change, before ? -x->comes : x->leaves);
@@ -349,7 +351,7 @@ double pm_blows_left_error(pm_workspace *w, int program, int before)
         if (x->struck == w->frame.t)
             sum += error_of(w, i, x, program, before);
         else if (goes_on(w, i))
-            sum += pm_left_out_error(w, i, over(w, i), x->ratio, program);
+            sum += pm_left_out_error(w, w->event->left->out, i, over(w, i), x->ratio, program);
     }
     return isfinite(sum) ? PM_BLOWS_LEFT_SURE * sum : 0;
 }

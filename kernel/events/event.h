@@ -132,7 +132,6 @@ typedef struct pm_event_set {
     unsigned char *vain;        /* [ncontact] at how many instants at once it closed and was left open */
     pm_bounce_series *series;   /* [ncontact] */
     struct pm_blows_left *left; /* of them, though they are no longer followed (events/blows_left.h) */
-    struct pm_left_out *left_out;      /* and what is off by that (events/left_out.h) */
     struct pm_flight_firings *firings; /* the last of the run (events/flight_firings.h) */
     int *body; /* [ncontact][PM_REFERENCES + 1] whom a contact touches but the ground; PM_NONE ends them */
     int *beside_struck;       /* [ncontact] those that share a body with one that is struck */

@@ -24,55 +24,57 @@ enum { KEPT = 16 }; /* closing blows; of others that are still left out nothing 
 
 struct pm_left_out {
     int n;               /* that have been kept; the last ones are there */
+    int kept, nq;        /* no more than so many are; coordinates */
     int contact[KEPT];   /* whose blow it was */
     double closed[KEPT]; /* s */
-    double *change;      /* [KEPT][nq] D */
+    double *change;      /* [kept][nq] D */
     double *q, *v;       /* [nq] of the frame, moved */
 };
 
-int pm_left_out_create(pm_workspace *w)
+int pm_left_out_create(pm_workspace *w, pm_left_out **of)
 {
-    if (PM_ARENA_NEW(&w->memory, w->event->left_out)) return PM_NO_MEMORY;
-    struct pm_left_out *x = w->event->left_out;
-    const int n = w->model->nq, kept = (int)pm_min(KEPT, w->model->rows[PM_TABLE_CONTACT]);
-    const pm_array array[] = {PM_ARRAY(x->change, kept * n), PM_ARRAY(x->q, n), PM_ARRAY(x->v, n)};
+    if (PM_ARENA_NEW(&w->memory, *of)) return PM_NO_MEMORY;
+    pm_left_out *x = *of;
+    x->nq = w->model->nq;
+    x->kept = (int)pm_min(KEPT, w->model->rows[PM_TABLE_CONTACT]);
+    const pm_array array[] = {
+        PM_ARRAY(x->change, x->kept * x->nq),
+        PM_ARRAY(x->q, x->nq),
+        PM_ARRAY(x->v, x->nq),
+    };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
 }
 
-void pm_left_out_forget(const pm_workspace *w) { w->event->left_out->n = 0; }
-
-static int kept(const pm_workspace *w) { return (int)pm_min(KEPT, w->model->rows[PM_TABLE_CONTACT]); }
+void pm_left_out_forget(pm_left_out *x) { x->n = 0; }
 
 /* Where its blow is; PM_NONE if it is not there. */
-static int find(const pm_workspace *w, int contact)
+static int find(const pm_left_out *x, int contact)
 {
-    const struct pm_left_out *x = w->event->left_out;
-    for (int i = 0; i < x->n && i < kept(w); i++)
+    for (int i = 0; i < x->n && i < x->kept; i++)
         if (x->contact[i] == contact) return i;
     return PM_NONE;
 }
 
-void pm_left_out_hold(const pm_workspace *w, int contact, const double *before)
+void pm_left_out_hold(pm_left_out *x, const pm_state *after, int contact, const double *before)
 {
-    struct pm_left_out *x = w->event->left_out;
-    const int known = find(w, contact), at = known == PM_NONE ? x->n++ % kept(w) : known, n = w->model->nq;
+    const int known = find(x, contact), at = known == PM_NONE ? x->n++ % x->kept : known;
     x->contact[at] = contact;
-    x->closed[at] = w->state.t;
-    for (int i = 0; i < n; i++) x->change[at * n + i] = w->state.v[i] - before[i];
+    x->closed[at] = after->t;
+    for (int i = 0; i < x->nq; i++) x->change[at * x->nq + i] = after->v[i] - before[i];
 }
 
-const double *pm_left_out_change(const pm_workspace *w, int contact)
+const double *pm_left_out_change(const pm_left_out *x, int contact)
 {
-    const int at = find(w, contact);
-    return at == PM_NONE ? NULL : w->event->left_out->change + at * w->model->nq;
+    const int at = find(x, contact);
+    return at == PM_NONE ? NULL : x->change + at * x->nq;
 }
 
 /* The program where places are moved by so much of D, and velocities. */
-static double value_moved(pm_workspace *w, int program, const double *change, double place, double speed)
+static double value_moved(pm_workspace *w, const pm_left_out *x, int program, const double *change,
+                          double place, double speed)
 {
-    const struct pm_left_out *x = w->event->left_out;
     const double *q = w->frame.q, *v = w->frame.v;
-    for (int i = 0; i < w->model->nq; i++) {
+    for (int i = 0; i < x->nq; i++) {
         x->q[i] = q[i] + place * change[i];
         x->v[i] = v[i] + speed * change[i];
     }
@@ -82,24 +84,20 @@ static double value_moved(pm_workspace *w, int program, const double *change, do
     return value;
 }
 
-static double off_by_motion(pm_workspace *w, int program, const double *change, double share, double flight)
+double pm_left_out_error(pm_workspace *w, const pm_left_out *x, int contact, double over, double ratio,
+                         int program)
 {
-    const double value = pm_program_run(w, program), top = share * flight / 4;
-    const double up = value_moved(w, program, change, 0, share),
-                 down = value_moved(w, program, change, 0, -share),
-                 high = value_moved(w, program, change, top, 0);
-    return fmax(fabs(high - value), fmax(fabs(up - value), fabs(down - value)));
-}
-
-double pm_left_out_error(pm_workspace *w, int contact, double over, double ratio, int program)
-{
-    const int at = find(w, contact);
-    const double left = over - w->frame.t;
+    const int at = find(x, contact);
+    const double left = over - w->frame.t, value = pm_program_run(w, program);
     if (at == PM_NONE || !isfinite(over) || !(left > 0 && ratio > 0)) return 0;
-    if (w->model->programs.level[program] == PM_LEVEL_DYNAMIC) return fabs(pm_program_run(w, program));
-    const double whole = over - w->event->left_out->closed[at], begun = fmin(left / ratio, whole);
-    const double share = pm_contact_restitution(&w->frame, contact) * begun / whole;
-    const double error =
-        off_by_motion(w, program, pm_left_out_change(w, contact), share, (1 - ratio) * begun);
-    return pm_saddle_accelerate(w) ? INFINITY : error; /* the frame is as it was */
+    if (w->model->programs.level[program] == PM_LEVEL_DYNAMIC) return fabs(value);
+    const double *change = pm_left_out_change(x, contact), whole = over - x->closed[at];
+    const double begun = fmin(left / ratio, whole);
+    const double share = pm_contact_restitution(&w->frame, contact) * begun / whole,
+                 top = share * (1 - ratio) * begun / 4;
+    const double up = value_moved(w, x, program, change, 0, share),
+                 down = value_moved(w, x, program, change, 0, -share),
+                 high = value_moved(w, x, program, change, top, 0);
+    if (pm_saddle_accelerate(w)) return INFINITY; /* the frame is as it was */
+    return fmax(fabs(high - value), fmax(fabs(up - value), fabs(down - value)));
 }

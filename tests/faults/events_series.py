@@ -61,7 +61,7 @@ FAULTS = [
     Fault(
         "left out: within a flight that is left out heights are known",
         "events/left_out.c",
-        "high = value_moved(w, program, change, top, 0)",
-        "high = value_moved(w, program, change, 0 * top, 0)",
+        "high = value_moved(w, x, program, change, top, 0)",
+        "high = value_moved(w, x, program, change, 0 * top, 0)",
     ),
 ]
