@@ -64,7 +64,9 @@ typedef struct pm_event_function {
     int over_end;   /* of a gap: the mark was a corner that goes over an end of its edge */
     double sunk;    /* of a gap: by how much it was below zero as it parted; from there it counts */
     double since;   /* x from which it is held */
-    double left;    /* its last sample beyond rounding, in a step before; 0: there is none */
+    double left;    /* last sample beyond rounding in a step before, or where it went as it fired; 0: none */
+    double ends;    /* where it comes from as the step ends on its zero; 0: it does not, or not known */
+    int falls;      /* towards zero, and close to it, at the end of the step before */
     double rested;  /* of a trigger: its greatest size in the last step before the phase */
     double located; /* x of the zero that was located, on the dense output: not quite where it is exactly */
     double slack;   /* of a held function: crossed only below -slack; of a held trigger: no more is zero */
@@ -159,6 +161,9 @@ static inline void pm_event_hold(pm_event_function *f, double since)
     f->since = since;
     f->search = SEARCH_NONE;
 }
+
+/* A trigger has fired at the zero that was bracketed last: it is on the other side now (event_sides.c). */
+void pm_event_sides_fired(pm_event_function *f);
 
 /* Value of a function (pm_event_function) of the workspace at x; the frame looks there. */
 typedef double pm_event_at(void *workspace, double x, void *function);

@@ -13,14 +13,12 @@
  *
  * If that comes near to zero, Newton's method on differences of the dense output leads to the bottom itself.
  *
- * A function that is on its zero when the step begins has no side yet: it is looked for where it has left.  One that has
- * rested there until the phase began is through when it leaves. */
+ * A trigger that is on its zero when the step begins, or has just fired: event_sides.c. */
 #include "events/edge_passage.h"
 #include "events/event_bound.h"
 #include "events/event_parts.h"
 #include "events/step.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "numerics/chebyshev.h"
@@ -35,8 +33,7 @@ static int may_reach(const pm_event_course *of, const pm_span *x)
     return of->n < PM_NODES || pm_min(fabs(x->ga), fabs(x->gb)) < PM_DIP_FAR * (of->high - of->low);
 }
 
-/* The first zero within x: by bounds, where there are any, else if the values at its ends show one. */
-static int first_within(pm_workspace *w, int i, const pm_event_course *of, pm_span *x)
+int pm_event_bracket_within(pm_workspace *w, int i, const pm_event_course *of, pm_span *x)
 {
     const int shown = pm_event_way_crosses(&w->event->function[i], x->ga, x->gb);
     return (of->bounded && (shown || may_reach(of, x)) &&
@@ -84,6 +81,24 @@ static int reaches(pm_workspace *w, pm_event_function *f, double s, double aroun
     return least <= 0;
 }
 
+/* So far from zero the errors of the run may bring the value of a trigger, or take it. */
+static double errors_of(const pm_workspace *w, const pm_event_function *f)
+{
+    const pm_event_set *e = w->event;
+    if (f->kind != FUNCTION_TRIGGER) return 0;
+    return w->numbers.accuracy * pm_max(e->greatest[f->index], -e->least[f->index]);
+}
+
+/* A dip between or beside nodes with values a and b, by estimate of this depth, is worth a look: it comes close to zero beside the
+ * smaller of them, or that is so close beside the other that no estimate tells on which side of zero the bottom is; or errors may
+ * tell that otherwise. */
+static int is_close(const pm_workspace *w, const pm_event_function *f, double bottom, double a, double b,
+                    double close)
+{
+    const double least = pm_min(a, b);
+    return bottom <= close * least || least <= PM_DIP_CLOSE * pm_max(a, b) || bottom <= errors_of(w, f);
+}
+
 /* A dip of three nodes towards zero: the vertex of their parabola, if the function goes through zero there. */
 static int dips(pm_workspace *w, pm_event_function *f, const double *g, double biggest, const double *x,
                 double *where, double *value)
@@ -94,7 +109,7 @@ static int dips(pm_workspace *w, pm_event_function *f, const double *g, double b
     const double left = (a - b) / (x[1] - x[0]), right = (c - b) / (x[2] - x[1]);
     const double bend = (left + right) / (x[2] - x[0]);
     const double slope = (right * (x[1] - x[0]) - left * (x[2] - x[1])) / (x[2] - x[0]);
-    if (b - slope * slope / (4 * bend) > PM_DIP_CLOSE * b) return 0;
+    if (!is_close(w, f, b - slope * slope / (4 * bend), b, pm_min(a, c), PM_DIP_CLOSE)) return 0;
     *where = x[1] - slope / (2 * bend);
     return reaches(w, f, s, fmax(a, c), x[0], x[2], where, value);
 }
@@ -142,9 +157,10 @@ static int returns(pm_workspace *w, pm_event_function *f, const double *g, int k
         slope[at] = s * slope_towards(w, f, g, k + at, x[at], x[1 - at]) * h;
         if (!(at ? slope[at] > 0 : slope[at] < 0)) return 0;
     }
-    const double close = (hides_slopes(w, f) ? PM_DIP_HIDDEN : PM_DIP_CLOSE) * fmin(a, b);
     double t;
-    if (!(bottom_of_cubic(a, b, slope[0], slope[1], &t) <= close)) return 0;
+    const double least = bottom_of_cubic(a, b, slope[0], slope[1], &t);
+    if (least == INFINITY || !is_close(w, f, least, a, b, hides_slopes(w, f) ? PM_DIP_HIDDEN : PM_DIP_CLOSE))
+        return 0;
     *where = x[0] + t * h;
     return reaches(w, f, s, fmax(a, b), x[0], x[1], where, value);
 }
@@ -227,74 +243,11 @@ static int returns_after(pm_workspace *w, int i, const pm_event_course *of, int 
     return 1;
 }
 
-/* How far from zero a held trigger has left it; one that was zero throughout the step before fires as it leaves to its side. */
-static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_event_course *of,
-                          double since)
-{
-    const double rounding = PM_ON_ZERO * of->biggest, beyond = pm_max(f->slack, rounding);
-    const int fresh = e->first_step || (f->slack > 0 && isfinite(f->rested)), zero = fabs(of->g[0]) <= beyond;
-    const int rests = fresh && since == e->place[0] && zero && f->rested <= beyond;
-    const double least = f->rested > 0 ? PM_EVENT_RESTED * f->slack : 0; /* rounding of what rests */
-    if (!rests) f->rested = INFINITY;
-    return rests ? pm_max(pm_max(f->rested, rounding), least) : beyond;
-}
-
-/* So close to a zero that was located at x nothing has left it.  A jump lies within what its argument scatters by, which may
- * be more than the rounding of the place: so close to it its window shows nothing. */
-static double least_leaving(const pm_step *step, double x)
-{
-    const double jump = PM_LEAVING_JUMP * PM_WINDOW_SWITCH * (step->whole_end - step->whole_begin);
-    return pm_max(step->shown ? 0 : jump, PM_LEAVING_LEAST * fabs(x));
-}
-
-/* A trigger that was on zero at a: its side is where it has definitely left; it may have come back before b.  The
- * samples show that where they resolve it, beyond their error. */
-static int leaves_and_crosses(pm_workspace *w, int i, const pm_event_course *of, double a, double b,
-                              double gb, double noise, pm_span *x)
-{
-    pm_event_function *f = &w->event->function[i];
-    const double begin = w->step.begin, h = w->step.end - begin, least = least_leaving(&w->step, a);
-    const int resolved = pm_event_samples_resolved(&w->step, w->event, i, of);
-    const int since_began = w->event->first_step && a == w->event->place[0];
-    for (int k = PM_LEAVING_HALVINGS; k > 0; k--) {
-        const double place = a + ldexp(b - a, -k);
-        if (place - a <= least) continue; /* where it jumps, a may still be before that */
-        double g = resolved ? pm_chebyshev_value(w->step.nodes, of->g, 1, (place - begin) / h) : 0;
-        if (!(fabs(g) > fmax(noise, pm_event_samples_residual(f, of->biggest))))
-            g = pm_event_samples_along(w, place, f);
-        if (!(fabs(g) > noise) && !(of->bounded && pm_event_bound_tells(w, i, place, g))) continue;
-        const int now = (isfinite(f->rested) && g * f->direction > 0) ||
-                        (since_began && pm_event_way_crosses(f, f->left, g));
-        *x = now ? (pm_span){a, a, 0, 0} : (pm_span){place, b, g, gb};
-        return now || first_within(w, i, of, x);
-    }
-    return 0;
-}
-
 /* ---- the step ---- */
-/* At the begin of the phase it may be on its zero by chance. */
-static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const pm_event_course *of, double at)
-{
-    if (!e->first_step || at != e->place[0] || !(fabs(of->g[0]) <= PM_ON_ZERO * of->biggest)) return;
-    f->held = 1;
-    f->since = at;
-}
-
-/* A step that ends on a zero, but for rounding, may end before it where the next begins beyond it: that begins where the last
- * one came from.  What stays on zero is not beyond it. */
-static void join(const pm_event_function *f, pm_event_course *of)
-{
-    int k = 0;
-    while (k < of->n && fabs(of->g[k]) <= PM_ON_ZERO * of->biggest) k++;
-    const int apart = (f->left > 0 && of->g[0] <= 0) || (f->left < 0 && of->g[0] >= 0);
-    if (!f->held && apart && k < of->n) pm_event_course_set(of, 0, copysign(DBL_MIN, f->left));
-}
-
 /* Moves *first on to the node from which its side is known (n: none); 1 if there is a bracket before it. */
 static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, pm_span *x)
 {
     const double *place = w->event->place, *g = of->g;
-    const pm_event_set *e = w->event;
     pm_event_function *f = &w->event->function[i];
     const int changes_sign = pm_event_changes_sign(f);
     int k = *first;
@@ -302,8 +255,8 @@ static int enter(pm_workspace *w, int i, const pm_event_course *of, int *first, 
         const double since = pm_max(f->since, place[0]);
         while (k < of->n - 1 && (place[k] <= since || fabs(g[k]) < f->slack)) k++;
         *first = k;
-        const double beyond = left_beyond(e, f, of, since);
-        return leaves_and_crosses(w, i, of, since, place[k], g[k], beyond, x);
+        *x = (pm_span){since, place[k], 0, g[k]};
+        return pm_event_sides_leaves(w, i, of, x);
     }
     if (f->held) { /* a contact starts on the open side, and counts again from where it has left its zero */
         for (k = 1; k < of->n && fabs(g[k]) <= f->slack;) k++;
@@ -354,7 +307,7 @@ static int search_between(pm_workspace *w, int i, const pm_event_course *of, int
     double where, value;
     if (of->bounded || !one_side) {
         *x = (pm_span){place[k], place[k + 1], g[k], g[k + 1]};
-        if (first_within(w, i, of, x)) return 1;
+        if (pm_event_bracket_within(w, i, of, x)) return 1;
     }
     const int after = one_side ? through_and_back(w, i, of, k, &where, &value) : 0;
     if (!after) return 0;
@@ -392,8 +345,7 @@ int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x)
         pm_event_course_set(&of, last, 0); /* there the phase ends */
     while (first < last && e->place[first + 1] <= from) first++;
     if (first == last) return 0;
-    if (pm_event_changes_sign(f) && first == 0) join(f, &of);
-    if (pm_event_changes_sign(f)) hold_if_on_zero(w->event, f, &of, from);
+    if (pm_event_changes_sign(f)) pm_event_sides_enter(w, i, from, first == 0, &of);
     if (enter(w, i, &of, &first, x)) return 1;
     return (f->edge != PM_NONE || !stays_away(&of)) && search(w, i, &of, first, from, x);
 }

@@ -1,5 +1,5 @@
 /* event_evidence.c - distances of event functions from their zeros at an instant, for the log of decisions. */
-#include "events/event_search.h"
+#include "events/event_evidence.h"
 
 #include <math.h>
 

@@ -39,6 +39,18 @@ void pm_event_samples_of_member(pm_workspace *w, int i, double x);
 /* ---- event_bracket.c: between which places of a step a function goes through zero ---- */
 /* The first bracket of function i in the step, which has been sampled, after `from`; 0 if there is none. */
 int pm_event_bracket_first(pm_workspace *w, int i, double from, pm_span *x);
+/* The first zero within x: by bounds, where there are any, else if the values at its ends show one. */
+int pm_event_bracket_within(pm_workspace *w, int i, const pm_event_course *of, pm_span *x);
+
+/* ---- event_sides.c: on which side of zero a function is that may have either sign ---- */
+/* Function i from `from` on, in the whole step or the rest of it: on its zero it is held, and comes from its side. */
+void pm_event_sides_enter(pm_workspace *w, int i, double from, int whole, pm_event_course *of);
+/* On zero at x->a, and looked for until x->b: 1, and the bracket of its next zero. */
+int pm_event_sides_leaves(pm_workspace *w, int i, const pm_event_course *of, pm_span *x);
+/* Its last value in the step, not after `place`, that has a sign; or its side before; 0: not known. */
+double pm_event_sides_last(const pm_step *step, struct pm_event_set *e, int i, double place);
+/* The side on which it ends the step is kept. */
+void pm_event_sides_leave(const pm_step *step, struct pm_event_set *e, int i);
 
 /* ---- event_locate.c: where in its bracket it is zero ---- */
 /* The root of function i in the bracket x, on the dense output; the samples may become those of one member of a pattern. */

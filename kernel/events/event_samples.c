@@ -39,6 +39,7 @@ static void begin_samples(pm_workspace *w)
         e->function[i].tail = -1;
         e->function[i].ranged = 0;
         e->function[i].turned = 0;
+        e->function[i].ends = 0;
     }
     for (int i = 0; i < e->npattern; i++) e->near[i].n = -1;
     e->soonest = INFINITY;

@@ -145,17 +145,6 @@ int pm_event_search_first(pm_workspace *w, double from, double *first, double *t
     return status;
 }
 
-/* The last sample of function i not after `place` that is beyond rounding, or what it was before; 0 if it has fired since. */
-static double last_side(const pm_event_set *e, const pm_event_function *f, const pm_event_course *of,
-                        double place)
-{
-    const double fired = f->held ? f->since : -INFINITY;
-    const double beyond = pm_max(PM_ON_ZERO * of->biggest, f->kind == FUNCTION_TRIGGER ? f->slack : 0);
-    for (int k = of->n - 1; k >= 0; k--)
-        if (e->place[k] <= place && e->place[k] > fired && fabs(of->g[k]) > beyond) return of->g[k];
-    return f->held ? 0 : f->left;
-}
-
 void pm_event_search_keep_sides(pm_workspace *w, double first)
 {
     pm_event_set *e = w->event;
@@ -163,22 +152,9 @@ void pm_event_search_keep_sides(pm_workspace *w, double first)
     e->came_jumps = w->result.count[PM_COUNT_JUMPS];
     for (int i = 0; i < e->ntrigger; i++) {
         const pm_event_function *f = &e->function[i];
-        pm_event_course of;
         if (f->every) continue; /* it knows between which multiples it is */
-        pm_event_samples_take(&w->step, e, i, &of);
-        e->came[f->index] = last_side(e, f, &of, first);
+        e->came[f->index] = pm_event_sides_last(&w->step, e, i, first);
     }
-}
-
-/* The side on which function i ends the step; `last` is its sample there. */
-static double side_at_end(const pm_step *step, pm_event_set *e, int i, double last)
-{
-    const pm_event_function *f = &e->function[i];
-    pm_event_course of;
-    pm_event_samples_take(step, e, i, &of);
-    const double side = last_side(e, f, &of, INFINITY);
-    /* it may just have fired, and be beyond zero by rounding */
-    return side == 0 && f->held && fabs(last) > f->slack ? last : side;
 }
 
 void pm_event_search_leave(const pm_step *step, pm_event_set *e)
@@ -188,7 +164,7 @@ void pm_event_search_leave(const pm_step *step, pm_event_set *e)
         if (!pm_event_samples_wanted(e, f)) continue;
         const double last = pm_event_of_sample(f, pm_event_samples(e, i)[step->nodes->n - 1]);
         if (pm_event_changes_sign(f) && !f->every)
-            f->left = side_at_end(step, e, i, last); /* others have one side alone */
+            pm_event_sides_leave(step, e, i); /* others have one side alone */
         if (f->every ? !pm_event_multiple_holds(e, f, last) : fabs(last) > f->slack) f->held = 0;
         f->since = 0;
     }

@@ -144,7 +144,9 @@ static void hold_hits(pm_workspace *w, double x)
 {
     pm_event_set *e = w->event;
     for (int i = 0; i < e->nfunction; i++) {
-        if (e->hit[i]) pm_event_hold(&e->function[i], fmax(x, e->function[i].located));
+        if (!e->hit[i]) continue;
+        pm_event_sides_fired(&e->function[i]);
+        pm_event_hold(&e->function[i], fmax(x, e->function[i].located));
     }
     memset(w->firing.fired, 0, (size_t)w->model->rows[PM_TABLE_TRIGGER]);
 }

@@ -5,7 +5,7 @@ from tests.faults.fault import Fault
 FAULTS = [
     Fault(
         "bound: what is small beside others has no sign",
-        "events/event_bracket.c",
+        "events/event_sides.c",
         "!(of->bounded && pm_event_bound_tells(w, i, place, g))",
         "1",
     ),
@@ -73,19 +73,19 @@ FAULTS = [
     ),
     Fault(
         "missed root: a step ends before it, the next begins behind it",
-        "events/event_bracket.c",
-        "if (!f->held && apart && k < of->n)",
-        "if (0 && apart && k < of->n)",
+        "events/event_sides.c",
+        "if (f->held || !apart || k == of->n) return;",
+        "return;",
     ),
     Fault(
         "missed root: a phase ends on it, the next leaves it on the other side",
-        "events/event_bracket.c",
+        "events/event_sides.c",
         "|| (since_began && pm_event_way_crosses(f, f->left, g))",
         "",
     ),
     Fault(
         "missed root: leaves its zero on the other side",
-        "events/event_bracket.c",
+        "events/event_sides.c",
         "resolved ? pm_chebyshev_value(",
         "resolved ? -pm_chebyshev_value(",
     ),
@@ -103,9 +103,51 @@ FAULTS = [
     ),
     Fault(
         "missed root: comes back to a held zero at once",
+        "events/event_sides.c",
+        "return pm_event_bracket_within(w, i, of, x);",
+        "return 0;",
+    ),
+    Fault(
+        "missed root: two so close together that it has gone back where it is first seen",
+        "events/event_sides.c",
+        "|| g * gb < 0 || !pm_event_way_crosses(f, f->left, g))",
+        "|| 1)",
+    ),
+    Fault(
+        "missed root: it has gone back, and looks show where",
+        "events/event_sides.c",
+        "if (f->left * before > 0) {",
+        "if (0) {",
+    ),
+    Fault(
+        "missed root: a step ends on one, and no sample shows from which side",
+        "events/event_sides.c",
+        "if (f->ends != 0 && place >= end",
+        "if (0 && place >= end",
+    ),
+    Fault(
+        "missed root: on which side it is once it has fired",
+        "events/event_sides.c",
+        "f->left = (went > 0) - (went < 0);",
+        "f->left = 0;",
+    ),
+    Fault(
+        "missed root: a dip right beside a node",
         "events/event_bracket.c",
-        "return now || first_within(w, i, of, x)",
-        "return now",
+        "|| least <= PM_DIP_CLOSE * pm_max(a, b)",
+        "",
+    ),
+    Fault(
+        "margin: near misses between two steps",
+        "events/event_sides.c",
+        "if (begins && !w->event->first_step) note_near(",
+        "if (0) note_near(",
+    ),
+    Fault(
+        "margin: beyond zero by next to nothing, and back",
+        "events/event_sides.c",
+        "if (!(f->left * begin < 0 && f->left * of->g[next] > 0)) return;",
+        "return;",
     ),
     Fault(
         "event: the wrong way",
@@ -115,7 +157,7 @@ FAULTS = [
     ),
     Fault(
         "event: what has rested on zero leaves it unseen",
-        "events/event_bracket.c",
+        "events/event_sides.c",
         "isfinite(f->rested) && g * f->direction > 0",
         "isfinite(f->rested) && g * f->direction < 0",
     ),
