@@ -37,11 +37,11 @@ static int leave_out(pm_active_set *x, const pm_constraint *c)
     return PM_REDUNDANT_PLACE(x->nredundant++);
 }
 
-/* The constraints appended so far, orthonormal.  Those of contacts come in two rounds, in the first one those alone that clearly add
- * to the others: what little is left of the rest would stand in their place, and leave a system that is all but singular. */
+/* The constraints appended so far, orthonormal.  They come in rounds, in the first ones those alone that clearly add to the others:
+ * what little is left of the rest would stand in their place, and leave a system that is all but singular. */
 typedef struct pm_basis {
     int n;
-    int clearly; /* in the first of the two rounds */
+    double clearly; /* part of a constraint that the others must leave in this round; 0 in the last one */
 } pm_basis;
 
 /* Appends the constraint to the active ones, or to the redundant ones; *index: its place.  Without a basis it is not tested. */
@@ -60,7 +60,7 @@ static int append(pm_workspace *w, const pm_constraint *c, pm_basis *basis, int 
     pm_constraint_kind(place->kind)->evaluate(&w->frame, place);
     const int n = pm_orthonormal_rows_add_constraint(&w->saddle, basis->n, place, &rest);
     const int grows = n > basis->n;
-    if (basis->clearly && rest.left <= PM_CLEARLY_INDEPENDENT) return PM_OK;
+    if (basis->clearly > 0 && rest.left <= basis->clearly) return PM_OK;
     if (!grows) {
         const int status = pm_dependence_nearby(w, c, &depends);
         if (status) return status;
@@ -76,7 +76,7 @@ static int append(pm_workspace *w, const pm_constraint *c, pm_basis *basis, int 
     return PM_OK;
 }
 
-static int append_joints(pm_workspace *w, pm_basis *basis)
+static int append_joints_once(pm_workspace *w, pm_basis *basis)
 {
     const pm_model *m = w->model;
     for (int j = 0; j < m->rows[PM_TABLE_JOINT]; j++) {
@@ -90,6 +90,19 @@ static int append_joints(pm_workspace *w, pm_basis *basis)
     }
     w->active.njoint = w->active.n;
     return PM_OK;
+}
+
+/* With a basis those first that add most: no order of the joints decides which are kept. */
+static int append_joints(pm_workspace *w, pm_basis *basis)
+{
+    int status = PM_OK;
+    for (double least = PM_MOSTLY_INDEPENDENT; basis && least > PM_CLEARLY_INDEPENDENT && !status;
+         least *= PM_WORN) {
+        basis->clearly = least;
+        status = append_joints_once(w, basis);
+    }
+    if (basis) basis->clearly = 0;
+    return status ? status : append_joints_once(w, basis);
 }
 
 /* Captured pairs are joints. */
@@ -278,12 +291,23 @@ static int append_all(pm_workspace *w, pm_basis *basis)
     int status = append_joints(w, basis);
     if (!status && closed) status = append_captured(w, basis);
     for (int round = basis ? 0 : 1; round < 2 && !status; round++) {
-        if (basis) basis->clearly = round == 0;
+        if (basis) basis->clearly = round == 0 ? PM_CLEARLY_INDEPENDENT : 0;
         if (closed) status = append_normals(w, basis);
         if (!status && closed) status = append_tangents(w, basis);
         if (!status) status = append_friction(w, basis);
     }
     return status;
+}
+
+/* How far the kept constraints are from depending on each other, where joints share loads; else 0. */
+static double independence_of_kept(pm_workspace *w)
+{
+    int shared = 0;
+    for (int k = 0; k < w->active.nredundant; k++) shared |= w->active.redundant[k].slot == PM_NONE;
+    if (!shared || w->active.n == 0) return 0;
+    pm_saddle_evaluate(&w->active, &w->frame);
+    w->active.evaluated = 0;
+    return pm_saddle_independence(&w->saddle);
 }
 
 /* A basis is dear: it is made only where constraints that depend on each other are in sight. */
@@ -302,8 +326,19 @@ int pm_active_set_build(pm_workspace *w)
     if (!status) append_carried(w);
     w->active.clear = independent;
     w->active.evaluated = independent && !w->active.asymmetric;
+    if (!status) w->active.independence = independence_of_kept(w);
     if (!status) pm_solve_cache_built(w);
     return status;
+}
+
+int pm_active_set_renew(pm_workspace *w, int *renewed)
+{
+    const double now = w->active.nredundant > 0 ? independence_of_kept(w) : 0;
+    *renewed = now < PM_WORN * w->active.independence;
+    w->active.independence = fmax(now, w->active.independence);
+    if (!*renewed) return PM_OK;
+    pm_solve_cache_forget(w->cache);
+    return pm_active_set_build(w);
 }
 
 /* ---- what depends on others here ---- */

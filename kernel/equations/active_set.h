@@ -8,6 +8,9 @@
 
 /* Fills w->active.constraint from the joints and the modes of the slots in w->state; the frame must look at w->state. */
 int pm_active_set_build(pm_workspace *w);
+/* Which constraints of joints are left out is chosen at one place.  Where bodies have turned so far since that those kept nearly
+ * depend on each other the set is built anew, at w->state, where the frame looks; *renewed: it was. */
+int pm_active_set_renew(pm_workspace *w, int *renewed);
 /* The normal of a sliding slot carries its tangent with this ratio of impulses, whatever its law says. */
 void pm_active_set_carry(pm_workspace *w, int slot, double ratio);
 /* Makes redundant what depends on other constraints at this place alone.  The constraints are evaluated before; joints stay, and

@@ -107,6 +107,8 @@
 #define PM_INDEPENDENT 1e-9 /* part of a constraint that others leave, of it: it counts; larger: holds too little */
 #define PM_LOOSE 1e-7 /* the same of contacts in a blow, at whose place it adds nothing; larger: bodies are held less, smaller: blows are singular */
 #define PM_CLEARLY_INDEPENDENT 1e-3 /* the same, above which nothing else is asked; larger: slower */
+#define PM_MOSTLY_INDEPENDENT 0.7 /* the same: of two constraints, either of which may be left out, one leaves as much; larger: none is taken at once */
+#define PM_WORN 0.5 /* of the most independence that the kept constraints have had: others are looked for; larger: more often, smaller: rounding grows */
 #define PM_NEIGHBOUR 1e-3 /* of the scene's size: how far a dead centre is left; larger: another place */
 #define PM_DEPENDENT_NEARBY 1e-6 /* part left at the neighbour: redundant below; larger: drops what holds */
 #define PM_TAKEN_OFF_ENOUGH 0.5 /* of the square of a row of G: if that stays, rounding has not grown; larger: slower */

@@ -314,6 +314,8 @@ int pm_advance(pm_workspace *w, int *ended)
             return PM_OK;
         }
         w->phase.lap |= pm_plan_has_passed(w);
+        if (!w->phase.lap && w->phase.route->in_time && (status = pm_active_set_renew(w, &w->phase.lap)))
+            return status;
         if (w->phase.lap) return PM_OK;
         if (w->record.history && (status = pm_history_append(w, 0))) return status;
     }

@@ -25,10 +25,11 @@ typedef struct pm_active_set {
     unsigned char *doubtful; /* [nconstraint] active, and dependent here but not nearby */
     int *aside;    /* [nconstraint] scratch of active_set.c: places of those that are taken out for a while */
     double *share; /* [nconstraint] reactions of redundant ones: 0, or by shared_reading.h */
-    int asymmetric;  /* some contact slides: H differs from G */
-    int clear;       /* no constraint comes near to depending on others */
-    int evaluated;   /* the last projection, or building, has left the frame where it evaluated them */
-    int64_t version; /* counts the sets */
+    int asymmetric;      /* some contact slides: H differs from G */
+    int clear;           /* no constraint comes near to depending on others */
+    double independence; /* the most that the kept ones had so far, where joints share loads; else 0 */
+    int evaluated;       /* the last projection, or building, has left the frame where it evaluated them */
+    int64_t version;     /* counts the sets */
     /* places: of an active constraint >= 0; of redundant[k] PM_REDUNDANT_PLACE(k) < PM_NONE; else PM_NONE */
     int *of_joint;            /* [njoint_constraint] of each constraint of a joint */
     int *slot_normal;         /* [nslot] */
