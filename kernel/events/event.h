@@ -154,6 +154,15 @@ typedef struct pm_event_set {
     int most;       /* size of the function array */
 } pm_event_set;
 
+/* In the phase friction holds something: a force that grows makes rounding of what was exactly zero. */
+static inline int pm_event_set_sticks(const pm_event_set *e)
+{
+    int sticks = 0;
+    for (int i = e->ntrigger; i < e->nfunction; i++)
+        sticks |= e->function[i].kind == FUNCTION_STICK || e->function[i].kind == FUNCTION_JOINT_STICK;
+    return sticks;
+}
+
 /* What has fired at `since`, or was passed there, must be left before it fires again. */
 static inline void pm_event_hold(pm_event_function *f, double since)
 {

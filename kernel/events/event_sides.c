@@ -152,9 +152,10 @@ static double left_beyond(const pm_event_set *e, pm_event_function *f, const pm_
     const double rounding = PM_ON_ZERO * of->biggest, beyond = pm_max(f->slack, rounding);
     const int fresh = e->first_step || (f->slack > 0 && isfinite(f->rested)), zero = fabs(of->g[0]) <= beyond;
     const int rests = fresh && since == e->place[0] && zero && f->rested <= beyond;
-    const double least = f->rested > 0 ? PM_EVENT_RESTED * f->slack : 0; /* rounding of what rests */
+    const double least =
+        f->rested > 0 || pm_event_set_sticks(e) ? PM_EVENT_RESTED * f->slack : 0; /* rounding of what rests */
     if (!rests) f->rested = INFINITY;
-    return rests ? pm_max(pm_max(f->rested, rounding), least) : beyond;
+    return rests ? pm_max(pm_max(pm_max(f->rested, fabs(of->g[0])), rounding), least) : beyond;
 }
 
 /* So close to a zero that was located at x nothing has left it.  A jump lies within what its argument scatters by, which may

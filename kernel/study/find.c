@@ -18,6 +18,7 @@
 #include "numerics/tolerances.h"
 #include "run/run.h"
 #include "state/arena.h"
+#include "state/evidence.h"
 #include "state/workspace.h"
 #include "study/find_sides.h"
 
@@ -124,6 +125,28 @@ static int look_between(pm_workspace *w, int middle, pm_find_root_place *jump)
     return status ? status : close_bracket(w, &look, x > p[1].x[0] ? p + 2 : p + 1, jump);
 }
 
+/* A root on a bound lies beyond it where the errors of the run there say so: where the line through the readings at the bound and
+ * next to it is zero tells how far. */
+static void take_bound(pm_workspace *w, const pm_look *bound, const pm_look *next)
+{
+    pm_find *f = w->find;
+    const double here = zero_at(f, bound),
+                 size = fmax(fabs(bound->x[0]), PM_FIND_SMALL * (f->high[0] - f->low[0]));
+    const double off = fabs(here / (zero_at(f, next) - here)) * step_of(f) / size;
+    if (!bound->holds || !(here * zero_at(f, next) > 0) ||
+        !(off <= fmax(PM_FIND_OUTCOME, pm_evidence_tolerance(w))))
+        return;
+    add_found(f, bound);
+    f->found[f->nfound - 1].off = off;
+}
+
+static void take_bounds(pm_workspace *w)
+{
+    const pm_find *f = w->find;
+    take_bound(w, &f->node[0], &f->node[1]);
+    take_bound(w, &f->node[f->samples], &f->node[f->samples - 1]);
+}
+
 static int find_value(pm_workspace *w)
 {
     pm_find *f = w->find;
@@ -137,6 +160,7 @@ static int find_value(pm_workspace *w)
         if (!status && i > 1 && value * last > 0 && value * zero_at(f, node - 2) > 0)
             status = look_between(w, i - 1, &jump);
     }
+    if (!status && f->nfound == 0 && !jump.jumps) take_bounds(w);
     if (status || f->nfound > 0) return status;
     if (jump.jumps)
         return pm_fail(&w->result, PM_FIND_JUMP, PM_TABLE_CONDITION, f->zero[0], jump.f_below, jump.f_above);
@@ -276,7 +300,7 @@ static int finish(pm_workspace *w, double *found)
     int several;
     const pm_look *other, *chosen = choose(f, &several, &other);
     pm_look last, at = *chosen;
-    f->resolution = chosen->bisected ? PM_FIND_OUTCOME : 0;
+    f->resolution = fmax(chosen->off, chosen->bisected ? PM_FIND_OUTCOME : 0);
     int status = pm_find_sides(w, &at);
     if (!status) status = pm_find_look(w, at.x, &last);
     if (status) return status;

@@ -48,6 +48,7 @@ int pm_find_look(pm_workspace *w, const double *x, pm_look *look)
         f->param[PM_VARY_ROW(w->model, i)[PM_VARY_PARAMETER]] = x[i];
     }
     look->goal = NAN;
+    look->off = 0;
     look->edge = look->bisected = look->loose = look->side = 0;
     look->holds = 0;
     for (int i = 0; i < PM_FIND_MOST_CONDITIONS; i++) look->reading[i] = NAN;

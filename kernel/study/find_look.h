@@ -17,7 +17,8 @@ typedef struct pm_look {
     int edge;     /* beyond it runs fail */
     int bisected; /* it is where an outcome changes */
     int side; /* 1: the conditions hold above it and not below, -1: the other way round, 0: it is no threshold */
-    int loose; /* it was run loosely: its readings tell signs and no more */
+    int loose;  /* it was run loosely: its readings tell signs and no more */
+    double off; /* it is a bound: the root lies so far beyond it, of its size, within the errors of its run */
 } pm_look;
 
 typedef struct pm_find {

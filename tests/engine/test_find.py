@@ -328,3 +328,24 @@ def test_a_parameter_called_t_is_not_the_time() -> None:
     assert scene.run(t=3).y == pytest.approx(-4.5 * G, rel=1e-10)
     plain = text.replace('parameters.t = "2 s"\n', "").replace("time = t", "time = 2 s")
     assert load_text(plain).run().y == pytest.approx(-2 * G, rel=1e-10)
+
+
+@pytest.mark.parametrize("bound", [0, 1])
+@pytest.mark.parametrize("route", ["auto", "rk", "ida"])
+def test_a_root_on_a_bound(route: str, bound: int) -> None:
+    """The error of the run there may have either sign."""
+    draw = np.random.default_rng(2)
+    for _ in range(6):
+        low, t = draw.uniform(0.1, 2), draw.uniform(0.2, 3)
+        v = [low, low + draw.uniform(0.1, 3)]
+        found = load_text(f"""
+            until = "t = {t!r} s"
+            parameters.v = "1 m/s"
+            bodies.b.mass = "1 kg"
+            start.b.velocity = ["v", 0]
+            find = {{ vary.v = ["{v[0]!r} m/s", "{v[1]!r} m/s"], where = "b.x = {v[bound] * t!r} m" }}
+            ask.x = "b.x"
+            solve.route = "{route}"
+            """).run()
+        assert found.status == "ok"
+        assert found["x"] == pytest.approx(v[bound] * t, rel=1e-8)

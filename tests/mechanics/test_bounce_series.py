@@ -182,3 +182,22 @@ def test_a_run_that_ends_among_them_counts_them(route: str) -> None:
         assert result.status == "ok"
         assert result["strikes"] == n
         assert result["ups"] == n
+
+
+@pytest.mark.parametrize("word", ["period", "frequency"])
+def test_endlessly_many_swings_have_no_mean(word: str) -> None:
+    text = f"""
+        until = "t = {{t}} s"
+        ground.lines.l.through = [0, 0]
+        bodies.b = {{{{ mass = "1 kg", at = [0, "1 m"] }}}}
+        contacts.c = {{{{ touch = ["b", "ground.l"], restitution = 0.5 }}}}
+        ask.mean = {{{{ {word} = "b.velocity.y" }}}}
+        ask.second = {{{{ {word} = "b.velocity.y", nth = 2 }}}}
+        """
+    first = math.sqrt(2 / 9.81)
+    runs = [planemotion.load_text(text.format(t=t)).run() for t in (2.6 * first, 4 * first)]
+    power = 1 if word == "period" else -1
+    assert runs[0]["mean"] == pytest.approx((0.75 * first) ** power)
+    assert runs[1]["second"] == pytest.approx((0.5 * first) ** power)
+    assert [run.status for run in runs] == ["ok", "ok"]
+    assert runs[1]["mean"] is None

@@ -86,7 +86,9 @@ def period(hidden: Hidden, above: Node, nth: int | None) -> Node:
     last = call(
         "max", hidden.of_event(layout.PM_MEASURE_EVENT_TIME, event), second
     )  # with no second: no answer
-    return (last - first) / (hidden.of_event(layout.PM_MEASURE_EVENT_COUNT, event) - 1)
+    swings = hidden.of_event(layout.PM_MEASURE_EVENT_COUNT, event) - 1
+    endless = Binary("-", swings, swings)  # 0; as many as a series of bounces has: none
+    return (last - first + endless) / swings
 
 
 def wave(hidden: Hidden, value: Node, omega: Node, condition: Node | None, word: str) -> Node:
