@@ -90,6 +90,7 @@
 #define PM_RK_SIDESTEP 1.2 /* of a step: a little longer or shorter, its stages are elsewhere; more: loses length */
 #define PM_RK_SIDESTEPS 12 /* tries past a singular stage; more would only put off the shrinking */
 #define PM_RK_REST_OF_HALF 0.1 /* of a half of a main run's step: what is left of it is not worth a step; more: halves that are uneven */
+#define PM_RK_BEYOND_END 1e-3 /* of a half of a main run's step: so far beyond its end a coarse one goes; less: takes the place where that one ended for its own; more: other errors */
 #define PM_RK_SAME_PLACE 1e-3 /* of a step: places of one event while it is looked for; more: two events are one */
 #define PM_RK_NOTED 64 /* ends of steps and places within them of a run that takes few; less: errors there may be told too small */
 #define PM_RK_NEAR_SINGULAR 0.2 /* of the step's most regular stage: rounding is amplified below; more: side steps in vain */

@@ -247,14 +247,15 @@ static int choose_again(pm_workspace *w)
     return pm_rk_derivative(w, r->t0, r->y0, 1, r->k);
 }
 
-/* What is left of the half in which t lies of a step of the main run; INFINITY after the last of them. */
+/* What is left of the half in which t lies of a step of the main run; INFINITY after the last of them.  It goes on a little beyond the
+ * end: a main step may end where something switches, or is greatest, and there this run must find its own place. */
 static double rest_of_half(const struct pm_rk *r, double t)
 {
     double begin = 0;
     for (int i = 0; i < r->nended; begin = r->ended[i++]) {
         const double half = 0.5 * (r->ended[i] - begin), least = PM_RK_REST_OF_HALF * half;
         if (r->ended[i] - half - t > least) return r->ended[i] - half - t;
-        if (r->ended[i] - t > least) return r->ended[i] - t;
+        if (r->ended[i] - t > least) return r->ended[i] + PM_RK_BEYOND_END * half - t;
     }
     return INFINITY;
 }
