@@ -288,19 +288,35 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
     spread_solved(&w->saddle, 1, x);
 }
 
+/* The greatest that one reaction does to what has a stand-in, as x has it.  Those on other bodies, be they heavy, say nothing of it. */
+static double most_by_reactions(const pm_active_set *active, const pm_saddle *s)
+{
+    const int ground = s->model->nbody;
+    double most = 0;
+    for (int i = 0; i < active->n; i++) {
+        const pm_constraint *c = &active->constraint[i];
+        const double *d = force_direction(s, c);
+        for (int p = 0; p < pm_constraint_bodies(c); p++)
+            for (int k = 0; k < 3 && c->body[p] != ground; k++) {
+                const int at = 3 * c->body[p] + k;
+                if (s->numbers->stand_in[at] == 0) continue;
+                const double length = k == 2 ? s->numbers->size : 1;
+                most = pm_max(s->numbers->inverse_mass[at] * fabs(d[3 * p + k] * s->rhs[i]) * length, most);
+            }
+    }
+    return most;
+}
+
 /* How far x is from `before`, relative to the greatest terms it is the sum of; *worst: where. */
 static double change(const pm_active_set *active, const pm_saddle *saddle, const double *force,
                      const double *before, const double *x, int *worst)
 {
-    double most = 0, scale = 0, reaction = 0;
-    for (int i = 0; i < active->n; i++) reaction = pm_max(fabs(saddle->rhs[i]), reaction);
+    double most = 0, scale = most_by_reactions(active, saddle);
     for (int i = 0; i < saddle->model->nq; i++) {
         const double length = i % 3 == 2 ? saddle->numbers->size : 1;
         const double off = fabs(x[i] - before[i]) * length;
         scale = pm_max(fabs(x[i]) * length, scale);
         if (force) scale = pm_max(fabs(saddle->numbers->inverse_mass[i] * force[i]) * length, scale);
-        if (saddle->numbers->stand_in[i] > 0)
-            scale = pm_max(saddle->numbers->inverse_mass[i] * reaction * length * length, scale);
         if (off > most) *worst = i;
         most = pm_max(off, most);
     }
