@@ -9,6 +9,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "elements/trigger.h"
 #include "numerics/chebyshev.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -31,14 +32,15 @@ static void hold_if_on_zero(const pm_event_set *e, pm_event_function *f, const p
 }
 
 /* It begins beyond zero by little, but more than rounding, and its next definite sample is on the side where it came from: whether it
- * has been through is open. */
+ * has been through is open.  Where a law switches nobody counts that; what begins to move has been at rest by rounding. */
 static void note_open(pm_workspace *w, const pm_event_function *f, const pm_event_course *of, int next)
 {
     int32_t row;
-    const double begin = of->g[0];
+    const double begin = of->g[0], rest = w->event->first_step ? f->slack : 0;
     if (!w->evidence.active || f->kind != FUNCTION_TRIGGER || next >= of->n) return;
+    if (pm_trigger_of_switch(w->model, f->index)) return;
     if (!(f->left * begin < 0 && f->left * of->g[next] > 0)) return;
-    if (!(fabs(begin) > PM_SERIES_ROUNDING * of->biggest)) return;
+    if (!(fabs(begin) > pm_max(PM_SERIES_ROUNDING * of->biggest, rest))) return;
     const int table = pm_event_owner(w->model, f, &row);
     pm_evidence_unseen(&w->evidence, table, row, w->event->place[0]);
 }
