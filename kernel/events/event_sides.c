@@ -38,7 +38,7 @@ static void note_open(pm_workspace *w, const pm_event_function *f, const pm_even
     int32_t row;
     const double begin = of->g[0], rest = w->event->first_step ? f->slack : 0;
     if (!w->evidence.active || f->kind != FUNCTION_TRIGGER || next >= of->n) return;
-    if (pm_trigger_of_switch(w->model, f->index)) return;
+    if (pm_trigger_of_switch(w->model, f->index) || pm_trigger_is_of_piece(w->model, f->index)) return;
     if (!(f->left * begin < 0 && f->left * of->g[next] > 0)) return;
     if (!(fabs(begin) > pm_max(PM_SERIES_ROUNDING * of->biggest, rest))) return;
     const int table = pm_event_owner(w->model, f, &row);
@@ -65,11 +65,12 @@ static int falls_to(const pm_step *step, const pm_event_course *of, int node, in
     return (beside < node ? -s : s) * pm_chebyshev_slope_at(step->nodes, of->g, node) > 0;
 }
 
-/* It is nearest to zero between two steps, by what either shows of it: that is a decision. */
+/* It is nearest to zero between two steps, by what either shows of it: that is a decision.  What has just fired went through. */
 static void note_near(pm_workspace *w, pm_event_function *f, const pm_event_course *of)
 {
     const double near = fabs(of->g[0]);
-    if (!f->falls || f->kind != FUNCTION_TRIGGER || !(f->left * of->g[0] > 0) || near >= f->near) return;
+    if (f->held || !f->falls || f->kind != FUNCTION_TRIGGER || !(f->left * of->g[0] > 0) || near >= f->near)
+        return;
     if (!falls_to(&w->step, of, 0, 1)) return;
     f->near = near;
     f->near_reach = fabs(of->g[1]);

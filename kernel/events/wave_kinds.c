@@ -12,14 +12,18 @@
 
 enum { SWITCHES = PM_OPERATION_JUMPS | PM_OPERATION_CORNERS | PM_OPERATION_COUNTS };
 
-/* What is made of a distance has nearly a corner where that is small for a moment, however long the step is. */
-static int is_of_distance(const pm_model *m, int measure)
+int pm_wave_kinds_distance(const pm_model *m, int measure)
 {
     const int32_t *e = PM_MEASURE_ROW(m, measure);
     switch ((enum pm_measure_kind)e[PM_MEASURE_KIND]) {
     case PM_MEASURE_FORCE_STRETCH:
     case PM_MEASURE_FORCE_RATE:
     case PM_MEASURE_FORCE_ENERGY: return 1;
+    case PM_MEASURE_POSITION:
+    case PM_MEASURE_MOVED:
+    case PM_MEASURE_VELOCITY:
+    case PM_MEASURE_MOMENTUM:
+        return e[PM_MEASURE_PART] == PM_PART_NORM || e[PM_MEASURE_PART] == PM_PART_ANGLE;
     case PM_MEASURE_CONTACT_GAP:
         return PM_CONTACT_ROW(m, e[PM_MEASURE_A])[PM_CONTACT_KIND] == PM_CONTACT_CORD;
     default: return 0;
@@ -31,7 +35,7 @@ static int more_than_operands(const pm_model *m, const pm_program_step *s)
 {
     const int op = s->op;
     switch (s->kind) {
-    case STEP_MEASURE: return is_of_distance(m, s->arg) ? PM_WAVES_DISTANCES : PM_WAVES_NONE;
+    case STEP_MEASURE: return pm_wave_kinds_distance(m, s->arg) ? PM_WAVES_DISTANCES : PM_WAVES_NONE;
     case STEP_NUMBER:
     case STEP_ANSWER: return PM_WAVES_NONE;
     case STEP_TABLE:

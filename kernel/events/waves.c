@@ -22,6 +22,7 @@
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "state/arena.h"
+#include "state/route.h"
 
 typedef struct pm_waves {
     unsigned char *possible; /* [programs] of these */
@@ -97,9 +98,13 @@ static int is_bounded(pm_interval x) { return isfinite(x.lo) && isfinite(x.hi); 
  * more. */
 enum { SERIES_KNOWN, SERIES_SHORTER, SERIES_NOISE };
 
-static int known_of(const pm_waves_course *c, const pm_chebyshev_series *x)
+static int known_of(const pm_waves_course *c, int measure, const pm_chebyshev_series *x)
 {
-    if (x->resolved || x->high <= c->w->numbers.tolerance * x->size) return SERIES_KNOWN;
+    /* The corner of a distance between the last two nodes is seen by the last one alone.  What sees the ends of its steps alone takes
+     * short ones, which are smooth to its tolerance. */
+    const int strict = !c->w->phase.route->sees_ends && pm_wave_kinds_distance(c->w->model, measure);
+    const int resolved = strict ? pm_chebyshev_series_resolved(x, PM_TAIL_DISTANCE) : x->resolved;
+    if (resolved || x->high <= c->w->numbers.tolerance * x->size) return SERIES_KNOWN;
     return x->scatters ? SERIES_NOISE : SERIES_SHORTER;
 }
 
@@ -111,7 +116,7 @@ static int known(const pm_waves_course *c)
     int all = SERIES_KNOWN;
     for (int k = f->first[c->program]; k < f->first[c->program + 1]; k++) {
         if (f->step[k].kind != STEP_MEASURE) continue;
-        const int one = known_of(c, &x->series[x->place[f->step[k].arg]]);
+        const int one = known_of(c, f->step[k].arg, &x->series[x->place[f->step[k].arg]]);
         if (one > all) all = one;
     }
     return all;

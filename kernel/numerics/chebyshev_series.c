@@ -123,8 +123,12 @@ void pm_chebyshev_series_of(pm_chebyshev_series *x, const pm_chebyshev_nodes *no
     const int n = x->n;
     const double changes = x->size - fabs(x->value[0]), upper = sum_of_sizes(n / 2, x->value + n - n / 2);
     x->scatters = upper > PM_SERIES_SCATTERS * (changes - upper);
-    x->resolved =
-        x->high <= (n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW) * changes + PM_SERIES_ROUNDING * x->size;
+    x->resolved = pm_chebyshev_series_resolved(x, n > PM_NODES ? PM_TAIL_WAVES : PM_TAIL_FEW);
+}
+
+int pm_chebyshev_series_resolved(const pm_chebyshev_series *x, double tail)
+{
+    return x->high <= tail * (x->size - fabs(x->value[0])) + PM_SERIES_ROUNDING * x->size;
 }
 
 void pm_chebyshev_series_cut(pm_chebyshev_series *x, double part)

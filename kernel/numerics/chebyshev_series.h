@@ -20,6 +20,9 @@ typedef struct pm_chebyshev_series {
 void pm_chebyshev_series_of(pm_chebyshev_series *series, const pm_chebyshev_nodes *nodes,
                             const double *sample);
 
+/* The highest coefficients are such a part of what changes, or rounding, or less. */
+int pm_chebyshev_series_resolved(const pm_chebyshev_series *series, double tail);
+
 /* The same, its derivatives left open; the size of its rate, or of its bend, is at least so much everywhere, if that is above
  * zero.  (A bend has the sign of value[2] then.) */
 void pm_chebyshev_series_begin(pm_chebyshev_series *series, const pm_chebyshev_nodes *nodes,

@@ -245,6 +245,7 @@
 #define PM_SERIES_ROUNDING 1e-14 /* of the coefficients: what rounding leaves of the highest, and values scatter by; larger: less is resolved */
 #define PM_SERIES_SCATTERS 0.5 /* of the lower coefficients, sums of both: the upper ones do not fall off; larger: noise is halved to the end */
 #define PM_TAIL_FEW 1e-2 /* likewise of up to five, which only tell whether more are needed; larger: waves are missed */
+#define PM_TAIL_DISTANCE 1e-8 /* likewise of a distance, which may be small for a moment right before a node; larger: that is missed, less: more windows */
 #define PM_WAVES_CALM 10.0 /* times the range of the samples: a bend over a step that hides nothing between nodes; larger: low peaks are missed, less: more bounds */
 #define PM_WAVES_DEGREE 3 /* of a product of measures: so high, it may have waves along a step; larger: extremes are missed, less: more bounds */
 #define PM_WAVES_FEW 0.01 /* of the range of the samples: what the polynomial through few nodes may leave out; larger: waves are missed */

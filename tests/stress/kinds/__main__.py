@@ -25,6 +25,7 @@ KINDS: dict[str, Kind] = {
         flights.bounces_for_a_while,
         flights.thrown_against_drag,
         flights.top_beside_a_level,
+        flights.past_a_point,
         friction.up_an_incline,
         friction.pushed_loose,
         friction.skids_until_it_rolls,

@@ -154,3 +154,26 @@ m = "above.count"
 top = {{ max = "b.y" }}
 """
     return Drawn(text, {"n": 2 if over > 0 else 0, "m": 1 if over > 0 else 0, "top": height})
+
+
+def past_a_point(draw: random.Random) -> Drawn:
+    """Something flies straight past a point, which it is close to for a moment alone."""
+    v, far, r = 10 ** draw.uniform(0.8, 2.5), 10 ** draw.uniform(0, 3.3), 10 ** draw.uniform(-2, 0)
+    b, end = (
+        r * draw.choice([draw.uniform(0.05, 0.95), draw.uniform(1.05, 3)]),
+        draw.uniform(1.1, 3) * far / v,
+    )
+    distance = draw.choice(["p.position.norm", "norm(p.x, p.y)", "(f.stretch + (1 cm))"])
+    text = f"""
+until = "t = {end!r} s"
+plane = "horizontal"
+ground.points.O = [0, 0]
+bodies.p = {{ mass = "1 kg", at = ["{-far!r} m", "{b!r} m"] }}
+start.p.velocity = ["{v!r} m/s", 0]
+forces.f = {{ spring = ["p", "ground.O"], stiffness = "0 N/m", free_length = "1 cm" }}
+events.near = "{distance} < {r!r} m"
+[ask]
+n = "near.count"
+least = {{ min = "{distance}" }}
+"""
+    return Drawn(text, {"n": int(b < r), "least": b}, {"least": far})
