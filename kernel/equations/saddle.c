@@ -16,6 +16,7 @@
 #include "elements/joint_friction.h"
 #include "equations/saddle_light.h"
 #include "equations/solve_cache.h"
+#include "equations/stand_ins.h"
 #include "numerics/dense.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
@@ -40,11 +41,6 @@ void pm_saddle_evaluate(pm_active_set *active, const pm_frame *frame)
         for (int k = 0; k < 3 * pm_constraint_bodies(normal); k++)
             normal->h[k] = normal->j[k] + normal->slide * tangent->j[k];
     }
-}
-
-static const double *force_direction(const pm_saddle *s, const pm_constraint *c)
-{
-    return s->active->asymmetric ? c->h : c->j;
 }
 
 /* Product of two constraints over the bodies that they share, in the metric of M^-1. */
@@ -239,7 +235,7 @@ void pm_saddle_spread(const pm_saddle *s, int use_h, double *x)
     const int ground = s->model->nbody;
     for (int i = 0; i < s->active->n; i++) {
         const pm_constraint *c = &s->active->constraint[i];
-        const double *d = use_h ? force_direction(s, c) : c->j, l = s->rhs[i];
+        const double *d = use_h ? pm_saddle_direction(s, c) : c->j, l = s->rhs[i];
         for (int p = 0; p < pm_constraint_bodies(c); p++) {
             const int body = c->body[p];
             if (body == ground) continue;
@@ -288,41 +284,6 @@ static void respond_once(pm_workspace *w, const double *force, const double *bef
     spread_solved(&w->saddle, 1, x);
 }
 
-/* The greatest that one reaction does to what has a stand-in, as x has it.  Those on other bodies, be they heavy, say nothing of it. */
-static double most_by_reactions(const pm_active_set *active, const pm_saddle *s)
-{
-    const int ground = s->model->nbody;
-    double most = 0;
-    for (int i = 0; i < active->n; i++) {
-        const pm_constraint *c = &active->constraint[i];
-        const double *d = force_direction(s, c);
-        for (int p = 0; p < pm_constraint_bodies(c); p++)
-            for (int k = 0; k < 3 && c->body[p] != ground; k++) {
-                const int at = 3 * c->body[p] + k;
-                if (s->numbers->stand_in[at] == 0) continue;
-                const double length = k == 2 ? s->numbers->size : 1;
-                most = pm_max(s->numbers->inverse_mass[at] * fabs(d[3 * p + k] * s->rhs[i]) * length, most);
-            }
-    }
-    return most;
-}
-
-/* How far x is from `before`, relative to the greatest terms it is the sum of; *worst: where. */
-static double change(const pm_active_set *active, const pm_saddle *saddle, const double *force,
-                     const double *before, const double *x, int *worst)
-{
-    double most = 0, scale = most_by_reactions(active, saddle);
-    for (int i = 0; i < saddle->model->nq; i++) {
-        const double length = i % 3 == 2 ? saddle->numbers->size : 1;
-        const double off = fabs(x[i] - before[i]) * length;
-        scale = pm_max(fabs(x[i]) * length, scale);
-        if (force) scale = pm_max(fabs(saddle->numbers->inverse_mass[i] * force[i]) * length, scale);
-        if (off > most) *worst = i;
-        most = pm_max(off, most);
-    }
-    return scale > 0 ? most / scale : 0;
-}
-
 void pm_saddle_respond_roughly(pm_workspace *w, const double *force, double *x)
 {
     memset(w->saddle.previous, 0, (size_t)w->model->nq * sizeof *x);
@@ -335,9 +296,7 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
     memset(w->saddle.previous, 0, (size_t)w->model->nq * sizeof *x);
     for (int i = 0; i < PM_STAND_IN_ROUNDS; i++) {
         respond_once(w, force, w->saddle.previous, x);
-        if (!w->numbers.massless ||
-            change(&w->active, &w->saddle, force, w->saddle.previous, x, &worst) <= PM_MET)
-            return PM_OK;
+        if (!w->numbers.massless || pm_stand_ins_change(&w->saddle, force, x, &worst) <= PM_MET) return PM_OK;
         memcpy(w->saddle.previous, x, (size_t)w->model->nq * sizeof *x);
     }
     return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);

@@ -14,6 +14,12 @@ typedef struct pm_hold {
     double j[PM_CONSTRAINT_COORDINATES];
 } pm_hold;
 
+/* How the reaction of a constraint acts: H, which is G where no contact slides. */
+static inline const double *pm_saddle_direction(const pm_saddle *s, const pm_constraint *c)
+{
+    return s->active->asymmetric ? c->h : c->j;
+}
+
 /* Evaluates the active constraints at the frame, and the tangents that sliding contacts carry. */
 void pm_saddle_evaluate(pm_active_set *active, const pm_frame *frame);
 /* Factors S = G M^-1 H^T of the evaluated constraints; counts as a solve. */

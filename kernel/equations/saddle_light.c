@@ -12,13 +12,9 @@
 
 #include "elements/constraint.h"
 #include "equations/orthonormal_rows.h"
+#include "equations/saddle.h"
 #include "numerics/dense.h"
 #include "numerics/tolerances.h"
-
-static const double *force_direction(const pm_saddle *s, const pm_constraint *c)
-{
-    return s->active->asymmetric ? c->h : c->j;
-}
 
 static double inverse_heavy(const pm_saddle *s, int at)
 {
@@ -28,7 +24,7 @@ static double inverse_heavy(const pm_saddle *s, int at)
 /* One entry of G_h M_h^-1 H_h^T. */
 static double coupled(const pm_saddle *s, const pm_constraint *a, const pm_constraint *b)
 {
-    const double *h = force_direction(s, b);
+    const double *h = pm_saddle_direction(s, b);
     double sum = 0;
     for (int p = 0; p < pm_constraint_bodies(a); p++)
         for (int r = 0; r < pm_constraint_bodies(b) && a->body[p] != s->model->nbody; r++)
@@ -68,7 +64,7 @@ static void fill(pm_saddle *s)
         for (int k = 0; k < n; k++) a[i * all + k] = coupled(s, &c[i], &c[k]);
         for (int k = 0; k < s->light.n; k++) {
             a[i * all + n + k] = at_coordinate(s, &c[i], c[i].j, s->light.at[k]);
-            a[(n + k) * all + i] = -at_coordinate(s, &c[i], force_direction(s, &c[i]), s->light.at[k]);
+            a[(n + k) * all + i] = -at_coordinate(s, &c[i], pm_saddle_direction(s, &c[i]), s->light.at[k]);
         }
     }
     for (int k = 0; k < s->light.n; k++)

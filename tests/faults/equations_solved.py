@@ -157,7 +157,7 @@ FAULTS = [
     Fault(
         "saddle: friction left out of the force",
         "equations/saddle.c",
-        "use_h ? force_direction(s, c) : c->j",
+        "use_h ? pm_saddle_direction(s, c) : c->j",
         "use_h ? c->j : c->j",
     ),
     Fault(

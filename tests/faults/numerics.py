@@ -163,8 +163,8 @@ FAULTS = [
     Fault(
         "series: what nodes do not resolve is resolved",
         "numerics/chebyshev_series.c",
-        "x->resolved = x->high <=",
-        "x->resolved = 1 || x->high <=",
+        "return x->high <= tail *",
+        "return 1 || x->high <= tail *",
     ),
     Fault(
         "waves: any bend is calm",
