@@ -103,8 +103,9 @@ static int known_of(const pm_waves_course *c, int measure, const pm_chebyshev_se
     /* The corner of a distance between the last two nodes is seen by the last one alone.  What sees the ends of its steps alone takes
      * short ones, which are smooth to its tolerance. */
     const int strict = !c->w->phase.route->sees_ends && pm_wave_kinds_distance(c->w->model, measure);
-    const int resolved = strict ? pm_chebyshev_series_resolved(x, PM_TAIL_DISTANCE) : x->resolved;
-    if (resolved || x->high <= c->w->numbers.tolerance * x->size) return SERIES_KNOWN;
+    if (strict ? pm_chebyshev_series_resolved(x, PM_TAIL_DISTANCE)
+               : x->resolved || x->high <= c->w->numbers.tolerance * x->size)
+        return SERIES_KNOWN;
     return x->scatters ? SERIES_NOISE : SERIES_SHORTER;
 }
 
