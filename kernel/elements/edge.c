@@ -43,8 +43,9 @@ pm_edge_place pm_edge_beside(const pm_frame *frame, int contact)
     const pm_point a = pm_frame_point_of(frame, circle[PM_CIRCLE_POINT]),
                    b = pm_frame_point_of(frame, line[PM_LINE_POINT]);
     const double angle = frame->pose[5 * b.body + 2] + frame->numbers->value[line[PM_LINE_ANGLE]];
-    const pm_lanes along_line = pm_lanes_axis(angle);
-    const double t[2] = {along_line[0], along_line[1]}, d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]};
+    const double d[2] = {a.p[0] - b.p[0], a.p[1] - b.p[1]};
+    double t[2];
+    pm_lanes_store(t, pm_lanes_axis(angle));
     const double along = pm_dot(d, t), reach = pm_contact_end(frame, a.p);
     return (pm_edge_place){.height = pm_cross(t, d),
                            .radius = frame->numbers->value[circle[PM_CIRCLE_RADIUS]],

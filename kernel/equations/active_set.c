@@ -333,7 +333,7 @@ int pm_active_set_build(pm_workspace *w)
 
 int pm_active_set_renew(pm_workspace *w, int *renewed)
 {
-    const double now = w->active.nredundant > 0 ? independence_of_kept(w) : 0;
+    const double now = independence_of_kept(w);
     *renewed = now < PM_WORN * w->active.independence;
     w->active.independence = fmax(now, w->active.independence);
     if (!*renewed) return PM_OK;

@@ -20,6 +20,7 @@
 
 #include "elements/constraint.h"
 #include "elements/contact.h"
+#include "numerics/lanes.h"
 #include "numerics/tolerances.h"
 #include "state/frame.h"
 #include "state/workspace.h"
@@ -127,9 +128,10 @@ static pm_straight straight(const pm_model *model, const pm_numbers *numbers, in
 {
     const int32_t *e = PM_LINE_ROW(model, line), *p = PM_POINT_ROW(model, e[PM_LINE_POINT]);
     const double angle = numbers->value[e[PM_LINE_ANGLE]];
-    return (pm_straight){.at = {numbers->value[p[PM_POINT_X]], numbers->value[p[PM_POINT_Y]]},
-                         .t = {cos(angle), sin(angle)},
-                         .body = pm_model_body_index(model, p[PM_POINT_BODY])};
+    pm_straight x = {.at = {numbers->value[p[PM_POINT_X]], numbers->value[p[PM_POINT_Y]]},
+                     .body = pm_model_body_index(model, p[PM_POINT_BODY])};
+    pm_lanes_store(x.t, pm_lanes_axis(angle));
+    return x;
 }
 
 /* A place of the scene in the axes of a body, as it is now. */

@@ -88,10 +88,11 @@ double pm_left_out_error(pm_workspace *w, const pm_left_out *x, int contact, dou
                          int program)
 {
     const int at = find(x, contact);
-    const double left = over - w->frame.t, value = pm_program_run(w, program);
+    const double left = over - w->frame.t;
     if (at == PM_NONE || !isfinite(over) || !(left > 0 && ratio > 0)) return 0;
+    const double value = pm_program_run(w, program);
     if (w->model->programs.level[program] == PM_LEVEL_DYNAMIC) return fabs(value);
-    const double *change = pm_left_out_change(x, contact), whole = over - x->closed[at];
+    const double *change = x->change + at * x->nq, whole = over - x->closed[at];
     const double begun = fmin(left / ratio, whole);
     const double share = pm_contact_restitution(&w->frame, contact) * begun / whole,
                  top = share * (1 - ratio) * begun / 4;

@@ -10,8 +10,8 @@ import pytest
 
 from planemotion import SimulationError, load_text
 from tests.scenes import ROUTES, G, answers, number
-from tests.stress.kinds.flights import DRAGS
-from tests.stress.kinds.forces import REGION
+from tests.stress.kinds.flights import DRAGS, THROWN
+from tests.stress.kinds.forces import DEPTHS, PRESSED, REGION, pressed
 
 
 def close(text: str, route: str, true: dict[str, float], rel: float = 1e-8) -> None:
@@ -28,16 +28,8 @@ def test_thrown_fast_and_falling_back(law: str, route: str) -> None:
     for _ in range(8):
         c, ratio = 10 ** rng.uniform(-2, 1), 10 ** rng.uniform(-1, 1.6)
         speed = ratio * math.sqrt(G / c)
-        text = f"""
-        until = "back"
-        parameters.c = "{c!r} kg/m"
-        bodies.b = {{ mass = "1 kg", at = [0, 0] }}
-        forces.d = {{ force = "b", value = [0, "{law}"] }}
-        start.b.velocity = [0, "{speed!r} m/s"]
-        events.back = "b.moved.y < 0"
-        ask.v = "b.velocity.y"
-        ask.y = {{ max = "b.y" }}
-        """
+        text = THROWN.format(c=c, law=law, speed=speed)
+        text += 'ask = { v = "b.velocity.y", y = { max = "b.y" } }\n'
         true = {"v": -speed / math.sqrt(1 + ratio**2), "y": math.log1p(ratio**2) / (2 * c)}
         close(text, route, true, 1e-7)
 
@@ -87,29 +79,16 @@ def test_a_table_that_is_nearly_a_step(width: float, route: str) -> None:
     close(text, route, {"v": math.sqrt(1 + 2 * ((knot - 1) + 2 * (4 - knot)))}, 1e-9)
 
 
-# How deep a body is below y = 0, per m.
-DEPTHS = ("max(-b.y/(1 m), 0)", "(abs(b.y) - b.y)/(2 m)", "(-min(b.y, 0 m)/(1 m))")
-
-
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("power", [0.5, 1.25, 1.5, 2, 2.5, 3.5])
 def test_a_power_of_the_depth(power: float, route: str) -> None:
     """m v^2/2 = k d^(p+1)/(p+1); it lasts 2 d/v times the integral of 1/sqrt(1 - s^(p+1)) over (0, 1)."""
     rng = np.random.default_rng(3)
     for depth in DEPTHS:
-        k, speed, e = 10 ** rng.uniform(0, 6), 10 ** rng.uniform(-1, 1), power + 1
-        deepest = (e * speed**2 / 2 / k) ** (1 / e)
-        part = math.gamma(1 + 1 / e) * math.gamma(0.5) / math.gamma(1 / e + 0.5)
-        text = f"""
-        until = "t = {0.3 / speed + 2 * deepest / speed * part!r} s"
-        plane = "horizontal"
-        bodies.b = {{ mass = "1 kg", at = [0, "0.1 m"] }}
-        forces.f = {{ force = "b", value = [0, "({k!r} N)*({depth})^{power}"] }}
-        start.b.velocity = [0, "{-speed!r} m/s"]
-        ask.v = "b.velocity.y"
-        ask.y = "b.y"
-        ask.d = {{ min = "b.y" }}
-        """
+        k, speed = 10 ** rng.uniform(0, 6), 10 ** rng.uniform(-1, 1)
+        deepest, lasts = pressed(power, k, speed)
+        text = PRESSED.format(end=0.3 / speed + lasts, k=k, depth=depth, power=power, speed=speed)
+        text += 'ask = { v = "b.velocity.y", y = "b.y", d = { min = "b.y" } }\n'
         close(text, route, {"v": speed, "y": 0.2, "d": -deepest}, 1e-6 if power < 1 else 1e-7)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import planemotion
-from tests.stress.kinds.multiples import OTHERS, flying, passages, swing
+from tests.stress.kinds.multiples import OTHERS, flying, oscillator, passages, swing
 
 ROUTES = ["auto", "rk", "ida"]
 
@@ -59,15 +59,7 @@ def test_an_oscillator_turns_back_between_multiples(route: str, other: str) -> N
         size, phase = math.hypot(x, v / rate), math.atan2(-v / rate, x)
         end = draw.uniform(0.5, 4) * 2 * math.pi / rate
         turns = [(k * math.pi - phase) / rate for k in range(-3, 20)]
-        text = f"""
-            until = "t = {end!r} s"
-            plane = "horizontal"
-            bodies.b = {{ mass = "1 kg", at = ["{x!r} m", 0] }}
-            start.b.velocity = ["{v!r} m/s", 0]
-            forces.s = {{ force = "b", value = ["-({stiffness!r} N/m) * b.x", 0] }}
-            events.e = "b.x every {step!r} m"
-            {f'events.f = "{other}"' if other else ""}
-            """
+        text = oscillator(end, x, v, stiffness, step, other)
         swings = partial(swing, size / step, rate, phase)
         times = passages(swings, [0, *(t for t in turns if 0 < t < end), end])
         check(run(text, route), times, 1e-8)

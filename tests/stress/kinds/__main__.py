@@ -16,7 +16,7 @@ from rich.table import Table
 
 from tests.stress.kinds import blows, flights, forces, friction, multiples, swings
 from tests.stress.kinds.drawn import FAILED, UNDECIDED, Drawn, Judged, Kind, judged
-from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors
+from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors, told_columns
 
 KINDS: dict[str, Kind] = {
     one.__name__.replace("_", " "): one
@@ -105,9 +105,8 @@ def _table(found: list[Found]) -> Table:
 
 def _add(shown: Table, key: tuple[str, str], some: list[Judged]) -> None:
     counts, errors = Counter(one.word for one in some), Errors.joined(one.errors for one in some)
-    told = (str(len(errors.true)), f"{100 * errors.covered():.2f}", f"{errors.median():.3g}")
     style = "red" if counts[BEYOND] + counts[MISSED] else None
-    shown.add_row(*key, *(str(counts[word]) for word in WORDS), *told, style=style)
+    shown.add_row(*key, *told_columns(counts, WORDS, errors), style=style)
 
 
 if __name__ == "__main__":

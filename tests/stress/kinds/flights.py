@@ -14,6 +14,14 @@ DRAGS = (
     "c*(max(0 m/s, -b.velocity.y)^2 - max(0 m/s, b.velocity.y)^2)",
     "-c*b.velocity.y*max(b.velocity.y, -b.velocity.y)",
 )
+THROWN = """
+until = "back"
+parameters.c = "{c!r} kg/m"
+bodies.b = {{ mass = "1 kg", at = [0, 0] }}
+forces.d = {{ force = "b", value = [0, "{law}"] }}
+start.b.velocity = [0, "{speed!r} m/s"]
+events.back = "b.moved.y < 0"
+"""
 CLOSE = 1e-12  # of a height: doubles of scene and truth do not tell levels so close to each other
 BOUNCING = """
 until = "{until}"
@@ -114,19 +122,15 @@ def thrown_against_drag(draw: random.Random) -> Drawn:
     u = math.sqrt(G / c)
     speed, law = ratio * u, draw.choice(DRAGS)
     back = u / G * (math.atan(ratio) + math.asinh(ratio))
-    text = f"""
-until = "back"
-parameters.c = "{c!r} kg/m"
-bodies.b = {{ mass = "1 kg", at = [0, 0] }}
-forces.d = {{ force = "b", value = [0, "{law}"] }}
-start.b.velocity = [0, "{speed!r} m/s"]
-events.back = "b.moved.y < 0"
-[ask]
+    text = (
+        THROWN.format(c=c, law=law, speed=speed)
+        + """[ask]
 v = "b.velocity.y"
 t = "t"
-y = {{ max = "b.y" }}
-top = {{ of = "t", at = {{ max = "b.y" }} }}
+y = { max = "b.y" }
+top = { of = "t", at = { max = "b.y" } }
 """
+    )
     truth = {
         "v": -speed / math.sqrt(1 + ratio**2),
         "t": back,

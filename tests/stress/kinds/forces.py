@@ -70,30 +70,42 @@ def thin_region(draw: random.Random) -> Drawn:
     return Drawn(text, {"v": v}, {"v": speed * (1 + 4e-3 / width)})
 
 
+# How deep a body is below y = 0, per m.
+DEPTHS = ("max(-b.y/(1 m), 0)", "(abs(b.y) - b.y)/(2 m)", "(-min(b.y, 0 m)/(1 m))")
+PRESSED = """
+until = "t = {end!r} s"
+plane = "horizontal"
+bodies.b = {{ mass = "1 kg", at = [0, "0.1 m"] }}
+forces.f = {{ force = "b", value = [0, "({k!r} N)*({depth})^{power}"] }}
+start.b.velocity = [0, "-{speed!r} m/s"]
+"""
+
+
+def pressed(power: float, k: float, speed: float) -> tuple[float, float]:
+    """How deep it comes, m v^2/2 = k d^(p+1)/(p+1), and how long it is there: 2 d/v times the integral of
+    1/sqrt(1 - s^(p+1)) over (0, 1)."""
+    e = power + 1
+    deepest = (e * speed**2 / 2 / k) ** (1 / e)
+    part = math.gamma(1 + 1 / e) * math.gamma(0.5) / math.gamma(1 / e + 0.5)
+    return deepest, 2 * deepest / speed * part
+
+
 def power_of_a_depth(draw: random.Random) -> Drawn:
-    """m v^2/2 = k d^(p+1)/(p+1); it lasts 2 d/v times the integral of 1/sqrt(1 - s^(p+1)) over (0, 1)."""
     power, k, speed = (
         draw.choice([1.25, 1.5, 2, 2.5, 3.5]),
         10 ** draw.uniform(0, 6),
         10 ** draw.uniform(-1, 1),
     )
-    depth = draw.choice(["max(-b.y/(1 m), 0)", "(abs(b.y) - b.y)/(2 m)", "(-min(b.y, 0 m)/(1 m))"])
-    e = power + 1
-    deepest = (e * speed**2 / 2 / k) ** (1 / e)
-    part = math.gamma(1 + 1 / e) * math.gamma(0.5) / math.gamma(1 / e + 0.5)
-    lasts = 2 * deepest / speed * part
-    text = f"""
-until = "t = {0.3 / speed + lasts!r} s"
-plane = "horizontal"
-bodies.b = {{ mass = "1 kg", at = [0, "0.1 m"] }}
-forces.f = {{ force = "b", value = [0, "({k!r} N)*({depth})^{power}"] }}
-start.b.velocity = [0, "{-speed!r} m/s"]
-events.out = "b.y > 0"
+    depth = draw.choice(DEPTHS)
+    deepest, lasts = pressed(power, k, speed)
+    text = PRESSED.format(end=0.3 / speed + lasts, k=k, depth=depth, power=power, speed=speed)
+    text += """[events]
+out = "b.y > 0"
 [ask]
 v = "b.velocity.y"
 y = "b.y"
-d = {{ min = "b.y" }}
-t = {{ of = "t", at = "out" }}
+d = { min = "b.y" }
+t = { of = "t", at = "out" }
 """
     return Drawn(text, {"v": speed, "y": 0.2, "d": -deepest, "t": 0.1 / speed + lasts})
 

@@ -45,6 +45,18 @@ def passages(p: Callable[[float], float], ends: list[float]) -> list[float]:
     return found
 
 
+def oscillator(end: float, x: float, v: float, stiffness: float, step: float, other: str) -> str:
+    return f"""
+until = "t = {end!r} s"
+plane = "horizontal"
+bodies.b = {{ mass = "1 kg", at = ["{x!r} m", 0] }}
+start.b.velocity = ["{v!r} m/s", 0]
+forces.s = {{ force = "b", value = ["-({stiffness!r} N/m) * b.x", 0] }}
+events.e = "b.x every {step!r} m"
+{f'events.f = "{other}"' if other else ""}
+"""
+
+
 ASKS = 'ask.n = "e.count"\nask.times = { of = "t", at = "each e" }\n'
 
 
@@ -72,13 +84,5 @@ def of_an_oscillator(draw: random.Random) -> Drawn:
     other = draw.choice(["", "b.x > 0.1 m", "b.velocity.x < 0", "t every 0.071 s"])
     ends = [0, *(t for t in turns if 0 < t < end), end]
     times = passages(partial(swing, size / step, rate, phase), ends)
-    text = f"""
-until = "t = {end!r} s"
-plane = "horizontal"
-bodies.b = {{ mass = "1 kg", at = ["{x!r} m", 0] }}
-start.b.velocity = ["{v!r} m/s", 0]
-forces.s = {{ force = "b", value = ["-({stiffness!r} N/m) * b.x", 0] }}
-events.e = "b.x every {step!r} m"
-{f'events.f = "{other}"' if other else ""}
-"""
+    text = oscillator(end, x, v, stiffness, step, other)
     return Drawn(text + ASKS, {"n": len(times), "times": times}, {"times": end})

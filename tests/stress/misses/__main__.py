@@ -13,9 +13,10 @@ from rich.console import Console
 from rich.table import Table
 
 from tests.stress.misses import asks, peaks, pulses, waves
-from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors, Verdict
+from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors, Verdict, told_columns
 
 BATCHES = {"pulses": 200, "waves": 200, "peaks": 10, "asks": 10}  # cases of one scene, run as one sweep
+WORDS = (RIGHT, TOLD, NOT_JUDGED, BEYOND, MISSED)
 SHOWN = 10  # faults that are shown
 
 Key = tuple[str, str, str]  # kind, motion, route
@@ -74,9 +75,8 @@ def _batch(task: tuple[str, int]) -> tuple[Key, Verdict, list[str]]:
 
 
 def _table(found: dict[Key, list[Verdict]]) -> Table:
-    words = (RIGHT, TOLD, NOT_JUDGED, BEYOND, MISSED)
     shown = Table(
-        "kind", "motion", "route", *words, "answers", "true <= estimate [%]", "median estimate / true"
+        "kind", "motion", "route", *WORDS, "answers", "true <= estimate [%]", "median estimate / true"
     )
     for key, verdicts in sorted(found.items()):
         _add(shown, key, verdicts)
@@ -87,9 +87,8 @@ def _table(found: dict[Key, list[Verdict]]) -> Table:
 def _add(shown: Table, key: Key, verdicts: list[Verdict]) -> None:
     counts = Counter(word for one in verdicts for word in one.words)
     errors = Errors.joined(one.errors for one in verdicts)
-    told = (str(len(errors.true)), f"{100 * errors.covered():.2f}", f"{errors.median():.3g}")
-    words = (str(counts[word]) for word in (RIGHT, TOLD, NOT_JUDGED, BEYOND, MISSED))
-    shown.add_row(*key, *words, *told, style="red" if counts[BEYOND] + counts[MISSED] else None)
+    style = "red" if counts[BEYOND] + counts[MISSED] else None
+    shown.add_row(*key, *told_columns(counts, WORDS, errors), style=style)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,6 +40,12 @@ class Errors:
         """Of the estimate over the true error, counts left out."""
         some = self.told > 0
         return float(np.median(self.told[some] / self.true[some])) if some.any() else np.nan
+
+
+def told_columns(counts: Mapping[str, int], words: Iterable[str], errors: Errors) -> tuple[str, ...]:
+    """What the tables show: how often each word was said, and how well errors were told."""
+    shown = (str(counts.get(word, 0)) for word in words)
+    return (*shown, str(len(errors.true)), f"{100 * errors.covered():.2f}", f"{errors.median():.3g}")
 
 
 @dataclass(frozen=True)
