@@ -302,17 +302,17 @@ int pm_saddle_respond(pm_workspace *w, const double *force, double *x)
     return pm_fail(&w->result, PM_SINGULAR, PM_TABLE_BODY, worst / 3, NAN, NAN);
 }
 
-/* Where constraints depend on each other those that are left may nearly do so, too: their accelerations are corrected by what is
- * left of their equations, once. */
-static void refine(pm_workspace *w)
+void pm_saddle_correct(pm_workspace *w, double *x)
 {
     pm_saddle *s = &w->saddle;
-    for (int i = 0; i < w->active.n; i++)
-        s->rhs[i] = w->active.constraint[i].gamma -
-                    pm_constraint_times(&w->frame, &w->active.constraint[i], w->frame.a);
+    for (int i = 0; i < w->active.n; i++) {
+        const double left = s->wanted[i] - pm_constraint_times(&w->frame, &w->active.constraint[i], x);
+        s->wanted[i] = s->rhs[i];
+        s->rhs[i] = left;
+    }
     solve(s, NULL);
-    spread_solved(s, 1, w->frame.a);
-    for (int i = 0; i < w->active.n; i++) w->frame.lambda[i] += s->rhs[i];
+    spread_solved(s, 1, x);
+    for (int i = 0; i < w->active.n; i++) s->rhs[i] += s->wanted[i];
 }
 
 /* With the friction of joints as it was found last. */
@@ -327,8 +327,9 @@ static int accelerate(pm_workspace *w, int evaluated)
         if (status) return from_route(w) ? PM_OK : status;
         for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = w->active.constraint[i].gamma;
         if ((status = pm_saddle_respond(w, f->f, f->a))) return status;
+        /* where constraints depend on each other those that are left may nearly do so, too */
+        if (w->active.nredundant > 0 && !w->saddle.light.is_used) pm_saddle_correct(w, f->a);
         memcpy(f->lambda, w->saddle.rhs, (size_t)w->active.n * sizeof(double));
-        if (w->active.nredundant > 0 && !w->saddle.light.is_used) refine(w);
     }
     f->level = PM_LEVEL_DYNAMIC;
     return PM_OK;

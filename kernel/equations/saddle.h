@@ -45,6 +45,9 @@ void pm_saddle_move(pm_saddle *s, double *x);
 int pm_saddle_respond(pm_workspace *w, const double *force, double *x);
 /* The same with the inertia of what stands in for bodies without mass: near enough to tell which contacts push. */
 void pm_saddle_respond_roughly(pm_workspace *w, const double *force, double *x);
+/* Corrects the response x, and with it its impulses, by what is left of the equations: rounding counts by the square of how much
+ * smaller a moment of inertia is than that of the mass at the places where a body is held. */
+void pm_saddle_correct(pm_workspace *w, double *x);
 /* Accelerations and reactions at the frame, which is DYNAMIC then. */
 int pm_saddle_accelerate(pm_workspace *w);
 /* The same right after pm_projection_apply, which may have evaluated the constraints. */

@@ -66,7 +66,7 @@ int pm_event_create(pm_workspace *w)
         PM_ARRAY(e->acted, nevent),
         PM_ARRAY(e->culling.left, ncontact),
         PM_ARRAY(e->culling.moved, m->nbody + 1),
-        PM_ARRAY(e->culling.from, 3 * m->nbody),
+        PM_ARRAY(e->culling.pose, 3 * m->nbody * PM_NODES_MOST),
         PM_ARRAY(e->culling.radius, m->nbody),
         PM_ARRAY(e->culling.skipped, ncontact),
     };

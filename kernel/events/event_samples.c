@@ -18,6 +18,7 @@
 #include "elements/contact_pattern.h"
 #include "elements/edge.h"
 #include "events/ask.h"
+#include "events/gap_passage.h"
 #include "events/step.h"
 #include "events/watched_samples.h"
 #include "events/waves.h"
@@ -255,8 +256,11 @@ int pm_event_samples_fill(pm_workspace *w, int with_functions, int *shown)
     if (!functions && !watched) return PM_OK;
     const int waves = pm_waves_possible(w, functions, watched);
     pm_waves_forget(w);
-    const int status = (few ? sample_few : sample_finer)(w, functions, watched, waves, shown);
-    return status || !functions ? status : finish_functions(w);
+    int status = (few ? sample_few : sample_finer)(w, functions, watched, waves, shown);
+    if (status || !functions) return status;
+    status = finish_functions(w);
+    *shown = *shown && pm_gap_passage_is_shown(w);
+    return status;
 }
 
 /* ---- the samples of one function ---- */

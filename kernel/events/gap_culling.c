@@ -3,10 +3,7 @@
  * The gap of a circle beside a fixed line or fixed points, or beside another circle, changes by no more than their centres
  * move.  A centre moves by no more than its body's origin does, plus its distance from there times the angle of rotation.  So a
  * gap that was g once is at least g - s after its bodies have moved by s together, whatever the way: it is looked at again when
- * s has come to a part of g.  What is not looked at could neither have closed nor have come near to it.
- *
- * Circles that meet circles part again behind each other: a step that moves them by more than their gap moves them from
- * node to node by no more than their radii, so that one of the nodes finds them together. */
+ * s has come to a part of g.  What is not looked at could neither have closed nor have come near to it. */
 #include "events/gap_culling.h"
 
 #include <math.h>
@@ -61,8 +58,7 @@ static int body_of_circle(const pm_model *m, int circle)
     return pm_model_body_index(m, PM_POINT_ROW(m, PM_CIRCLE_ROW(m, circle)[PM_CIRCLE_POINT])[PM_POINT_BODY]);
 }
 
-/* The bodies of a contact whose gap changes by no more than its marks move; a line that rotates is not one. */
-static int bodies_of(const pm_model *m, int contact, int body[2])
+int pm_gap_culling_bodies(const pm_model *m, int contact, int body[2])
 {
     const int32_t *e = PM_CONTACT_ROW(m, contact);
     int point;
@@ -92,7 +88,7 @@ void pm_gap_culling_step(pm_gap_culling *x, const pm_model *m)
 {
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         int body[2];
-        x->skipped[i] = x->left[i] > 0 && bodies_of(m, i, body) &&
+        x->skipped[i] = x->left[i] > 0 && pm_gap_culling_bodies(m, i, body) &&
                         x->left[i] > PM_CULLING_LIKE_BEFORE * PM_CULLING_BETWEEN * moved(x, body);
     }
     memset(x->moved, 0, ((size_t)m->nbody + 1) * sizeof(double));
@@ -102,12 +98,9 @@ void pm_gap_culling_node(pm_gap_culling *x, const pm_frame *frame, int node)
 {
     if (frame->model->rows[PM_TABLE_CONTACT] == 0) return;
     for (int i = 0; i < frame->model->nbody; i++) {
-        const double *pose = frame->pose + 5 * i;
-        double *from = x->from + 3 * i;
-        if (node == 0) {
-            pm_lanes_copy_threes(from, pose, 1);
-            continue;
-        }
+        const double *pose = frame->pose + 5 * i, *from = x->pose + 3 * i;
+        pm_lanes_copy_threes(x->pose + 3 * (node * frame->model->nbody + i), pose, 1);
+        if (node == 0) continue;
         const double way[2] = {pose[0] - from[0], pose[1] - from[1]};
         x->moved[i] = pm_max(pm_length(way) + x->radius[i] * fabs(pose[2] - from[2]), x->moved[i]);
     }
@@ -118,7 +111,7 @@ int pm_gap_culling_check(pm_gap_culling *x, const pm_model *m)
     int reached = 0;
     for (int i = 0; i < m->rows[PM_TABLE_CONTACT]; i++) {
         int body[2];
-        if (!x->skipped[i] || !bodies_of(m, i, body)) continue;
+        if (!x->skipped[i] || !pm_gap_culling_bodies(m, i, body)) continue;
         x->left[i] -= PM_CULLING_BETWEEN * moved(x, body);
         x->nskipped += x->left[i] > 0;
         if (x->left[i] > 0) continue;
@@ -131,67 +124,6 @@ int pm_gap_culling_check(pm_gap_culling *x, const pm_model *m)
 void pm_gap_culling_keep(pm_gap_culling *x, const pm_model *m, int contact, double gap)
 {
     int body[2];
-    if (bodies_of(m, contact, body))
+    if (pm_gap_culling_bodies(m, contact, body))
         x->left[contact] = PM_CULLING_PART * gap - PM_CULLING_BETWEEN * moved(x, body);
-}
-
-static double through_curve(const pm_numbers *numbers, int curve)
-{
-    return fmin(numbers->course[curve].fine, PM_CULLING_CURVE * numbers->course[curve].size);
-}
-
-/* The sum of the radii of two circles, or of a circle and a member of a pattern (a point); 0 of what cannot be gone
- * through. */
-static double through(const pm_model *m, const pm_numbers *numbers, int contact)
-{
-    const int32_t *e = PM_CONTACT_ROW(m, contact);
-    if (e[PM_CONTACT_KIND] == PM_CONTACT_CURVES)
-        return fmin(through_curve(numbers, e[PM_CONTACT_A]), through_curve(numbers, e[PM_CONTACT_B]));
-    const double radius = numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_A])[PM_CIRCLE_RADIUS]];
-    switch (e[PM_CONTACT_KIND]) {
-    case PM_CONTACT_PATTERN: return radius;
-    case PM_CONTACT_CIRCLE: /* side 1: outside each other; what has come through from inside stays there */
-        return numbers->value[e[PM_CONTACT_SIDE]] == 1
-                   ? radius + numbers->value[PM_CIRCLE_ROW(m, e[PM_CONTACT_B])[PM_CIRCLE_RADIUS]]
-                   : 0;
-    case PM_CONTACT_CURVE: return through_curve(numbers, e[PM_CONTACT_B]);
-    default: return 0;
-    }
-}
-
-/* How fast the origin of a body goes against that of another, and the circles about them: rates are velocities or
- * accelerations. */
-static double against(const pm_model *model, const pm_event_set *event, const double *rate, const int body[2])
-{
-    static const double zero[3] = {0, 0, 0};
-    const double *part[2], *radius = event->culling.radius;
-    double rotation = 0;
-    for (int i = 0; i < 2; i++) {
-        const int moves = body[i] < model->nbody;
-        part[i] = moves ? rate + 3 * body[i] : zero;
-        if (moves) rotation += radius[body[i]] * fabs(part[i][2]);
-    }
-    return hypot(part[0][0] - part[1][0], part[0][1] - part[1][1]) + rotation;
-}
-
-double pm_gap_culling_time(const pm_workspace *w, const double *v, const double *a)
-{
-    const pm_event_set *e = w->event;
-    double time = INFINITY;
-    for (int i = 0; i < e->nfunction; i++) {
-        const int contact = e->function[i].index;
-        int body[2], member;
-        if (e->function[i].kind != FUNCTION_GAP || e->function[i].owned) continue;
-        const double radii = through(w->model, &w->numbers, contact);
-        if (!(radii > 0) || !bodies_of(w->model, contact, body)) continue;
-        const double safe = (w->step.nodes->n - 1) * radii, left = e->culling.left[contact];
-        const double free =
-            left > safe ? left : PM_CULLING_WITHIN * pm_contact_gap(&w->frame, &w->state, contact, &member);
-        const double way = fmax(free, safe);
-        const double speed = against(w->model, w->event, v, body),
-                     rate = against(w->model, w->event, a, body);
-        time =
-            fmin(time, 2 * way / (speed + sqrt(speed * speed + 2 * rate * way))); /* v t + a t^2 / 2 = way */
-    }
-    return time;
 }

@@ -7,7 +7,7 @@
 typedef struct pm_gap_culling {
     double *left;           /* [ncontact] m, how far its marks may still move until it is looked at again */
     double *moved;          /* [nbody + 1] m, most that marks of a body moved in the step; last: the ground */
-    double *from;           /* [nbody][3] pose at the begin of the step */
+    double *pose;           /* [PM_NODES_MOST][nbody][3] at the nodes of the step */
     double *radius;         /* [nbody] m, greatest, of the centre of a circle from its body's origin */
     unsigned char *skipped; /* [ncontact] not looked at in this step */
     int64_t nskipped;       /* contacts that were skipped, summed over all steps so far */
@@ -21,10 +21,10 @@ void pm_gap_culling_step(pm_gap_culling *x, const pm_model *m);
 void pm_gap_culling_node(pm_gap_culling *x, const pm_frame *frame, int node);
 /* All nodes have been looked at: those that were reached after all are not skipped; returns how many. */
 int pm_gap_culling_check(pm_gap_culling *x, const pm_model *m);
-/* The time in which two circles that are open may be missed: what moves through between two of the nodes of a step.  Where
- * the frame looks at w->state, of velocities v[nq] and accelerations a[nq]; INFINITY if there are none, or nothing moves. */
-double pm_gap_culling_time(const pm_workspace *w, const double *v, const double *a);
 /* The gap of a contact that is not skipped at the begin of the step. */
 void pm_gap_culling_keep(pm_gap_culling *x, const pm_model *m, int contact, double gap);
+
+/* The bodies of a contact whose gap changes by no more than its marks move; 0: it is none, as a line that rotates. */
+int pm_gap_culling_bodies(const pm_model *m, int contact, int body[2]);
 
 #endif

@@ -47,6 +47,7 @@ int pm_impact_create(pm_workspace *w)
     b->shock = PM_NONE;
     const pm_array array[] = {
         PM_ARRAY(b->before, m->nq),
+        PM_ARRAY(b->place, m->nq),
         PM_ARRAY(b->after, m->nq),
         PM_ARRAY(b->response, m->nq),
         PM_ARRAY(b->apart, m->rows[PM_TABLE_CONTACT]),
@@ -186,42 +187,6 @@ static int find_struck(pm_workspace *w, pm_blow *b, int *struck)
 }
 
 /* ---- blows ---- */
-/* One contact alone is followed, or solved; where it is not the whole blow all that may take part is found at once.  A blow
- * that would gain energy is limited. */
-static int find_of_contacts(pm_workspace *w, pm_blow *b)
-{
-    int status = PM_OK;
-    if (pm_impact_trial_contacts(w->model, b) <= 1) {
-        if ((status = pm_impact_trial_solve(w, b))) return status;
-        if (pm_impact_trial_is_whole(w, b)) {
-            pm_impact_end_record(w);
-            return PM_OK;
-        }
-    }
-    return pm_impact_together(w, b);
-}
-
-static int find_blow(pm_workspace *w, pm_blow *b)
-{
-    int loaded, holds = 0;
-    memset(b->held, 0, (size_t)w->model->nslot * sizeof *b->held);
-    b->plastic = b->equations = b->followed = b->several = 0;
-    int status = pm_impact_loaded(w, b, &loaded);
-    if (!status && !loaded) status = find_of_contacts(w, b);
-    if (!status) status = pm_impact_hold_rocking(w, b, &holds);
-    const int exact = !b->ends_bounce && !holds && !loaded;
-    return !status && exact && pm_impact_end_gains(w, b) > 0 ? pm_impact_limit(w, b) : status;
-}
-
-/* Teeth that would pull meet with their other flanks. */
-static int find_with_teeth(pm_workspace *w, pm_blow *b)
-{
-    for (int i = 0;; i++) {
-        const int status = b->shock == PM_NONE ? find_blow(w, b) : pm_impact_follow_shock(w, b);
-        if (status || i > w->model->nteeth || !pm_teeth_turn_struck(w)) return status;
-    }
-}
-
 /* The last of a series of ever smaller blows, by how slow it is: in another pass it may have been followed by more. */
 static int ends_series(const pm_workspace *w, const pm_blow *b)
 {
@@ -248,9 +213,7 @@ static int one_blow(pm_workspace *w, pm_blow *b)
         b->trial[i] = captured ? PM_CAPTURED : pm_impact_trial_mode(&w->frame, i);
         if (captured && b->share[i] == PM_OUT) b->share[i] = PM_JOINED; /* joints take part in every blow */
     }
-    status = find_with_teeth(w, b);
-    if (!status && b->shock != PM_NONE) status = pm_joint_friction_check_blow(w);
-    if (status) return status;
+    if ((status = pm_impact_find(w, b))) return status;
     memcpy(b->before, w->state.v, (size_t)m->nq * sizeof *b->before);
     memcpy(w->state.v, b->after, (size_t)m->nq * sizeof *b->after);
     pm_frame_look_state(&w->frame, &w->state);

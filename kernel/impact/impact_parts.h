@@ -31,16 +31,17 @@ typedef struct pm_blow {
     int32_t *resting;     /* [nslot] enum pm_contact_mode before the blow; PM_OPEN if struck */
     int32_t *trial;       /* [nslot] enum pm_contact_mode in the blow of what takes part */
     double *before;       /* [nq] velocities before the blow, m/s and rad/s */
-    double *after;        /* [nq] and after it */
-    double *response;     /* [nq] scratch of impact_course.c */
-    double approach;      /* m/s, greatest of what is struck */
-    int ends_bounce;      /* a contact whose bounce is over is closed: what it was left with is rounding */
-    int series_ends;      /* some rebound of this instant is the last of its series */
-    int shock;            /* slot whose blow is an impact without collision, or PM_NONE */
-    int several;          /* the blow is that of impact_together.c, and no rounding */
-    int followed;         /* it is that of impact_followed.c */
-    int plastic;          /* without restitution */
-    int equations;        /* one contact alone is solved as several are, not followed */
+    double *place;    /* [nq] places, where those of a coarse run are disturbed for the time of the blow */
+    double *after;    /* [nq] and after it */
+    double *response; /* [nq] scratch of impact_course.c */
+    double approach;  /* m/s, greatest of what is struck */
+    int ends_bounce;  /* a contact whose bounce is over is closed: what it was left with is rounding */
+    int series_ends;  /* some rebound of this instant is the last of its series */
+    int shock;        /* slot whose blow is an impact without collision, or PM_NONE */
+    int several;      /* the blow is that of impact_together.c, and no rounding */
+    int followed;     /* it is that of impact_followed.c */
+    int plastic;      /* without restitution */
+    int equations;    /* one contact alone is solved as several are, not followed */
     pm_contact_system system; /* several contacts at once */
     pm_contact_course course; /* the same where their blow is followed */
     struct {
@@ -62,6 +63,11 @@ static inline int pm_blow_has(const pm_blow *b, int slot)
 {
     return b->share[slot] == PM_STRUCK || b->share[slot] == PM_JOINED;
 }
+
+/* ---- impact_find.c ---- */
+/* The velocities after the blow of what is listed, in b->after; in a coarse run what is struck alone is struck at places
+ * that are off by some roundings. */
+int pm_impact_find(pm_workspace *w, pm_blow *b);
 
 /* ---- impact_trial.c: the constraints of a trial, and its impulses ---- */
 /* The settings want blows one by one. */

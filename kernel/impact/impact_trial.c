@@ -82,6 +82,7 @@ static int respond(pm_workspace *w, pm_blow *b)
     for (int i = 0; i < w->active.n; i++) w->saddle.wanted[i] = change_wanted(w, b, i);
     int status = pm_saddle_factor(w);
     if (status || (status = pm_saddle_respond(w, NULL, b->after))) return status;
+    if (w->active.n > 1 && !w->saddle.light.is_used) pm_saddle_correct(w, b->after);
     for (int i = 0; i < nq; i++) b->after[i] += w->state.v[i];
     return PM_OK;
 }

@@ -99,6 +99,7 @@
 /* natural sizes */
 #define PM_STRETCH_ROUNDING 3e-15 /* of the places that a spring joins and its free length: so little stretch is none, nor what coarse runs add (PM_DISTURBED_PLACE); larger: a spring next to its free position does not pull, smaller: rounding moves what rests there */
 #define PM_SPEED_ROUNDING 1e-4 /* of the speed by the forces that such a shift makes: that of forces which are rounding; larger: weak forces at a start count as none */
+#define PM_SPEED_ARM 1e3 /* times its moment of inertia is that of a body as a point at its joint: it goes round that; less: other scales of speed, larger: speeds of small bodies on long arms are measured by far too great ones */
 #define PM_SHIFT 1e-6 /* of a state's own size: shows the size of what is read there; larger: not linear */
 /* loads */
 #define PM_PRESSURE_MOST 1.0471975511965976 /* rad, 60 degrees: teeth have no greater pressure angle; larger: they would hardly turn each other */
@@ -286,6 +287,7 @@
 #define PM_CULLING_BETWEEN 3.0 /* times the movement at the nodes: between them it is less (Lebesgue constants); larger: more is looked at */
 #define PM_CULLING_WITHIN 0.9 /* of a gap: so far two circles may come in a step without meeting; larger: one may pass the other */
 #define PM_CULLING_CURVE 0.01 /* of the size of a curve: what strikes it near an end of it is behind it for that way; larger: longer steps miss it */
+#define PM_PASSAGE_BETWEEN 2.0 /* times the way from node to node: the path between is no longer; larger: steps are cut in vain, less: circles pass through each other */
 #define PM_CULLING_LIKE_BEFORE 2.0 /* times what bodies moved in the last step: what they will in the next; larger: more is looked at */
 #define PM_PASSAGE_BEND 2.0 /* times the deviation that differences of nodes show: of a way from its chord; larger: more looks */
 #define PM_PASSAGE_LOOKS 40 /* for a passage through an edge between two nodes; fewer: grazing ones are not seen */

@@ -53,6 +53,7 @@
 #define PM_PIECE_NOTHING 4e-12 /* of what a table is read at: a piece so short is passed; larger: what it does is left out, smaller: its end is not found */
 #define PM_SWITCH_AGAIN 1e-7 /* of the time size / speed: a force that switches again within it does so at once; larger: fast vibrations through a switch end the run */
 #define PM_SWITCHES_AT_ONCE 1000 /* so many running: the motion cannot leave the switch; more: that is told later */
+#define PM_DISTURBED_BLOW 4e-16 /* of positions, while a blow is found: some roundings; more: errors estimated larger */
 #define PM_BLOWS_AT_ONCE 10000 /* blows at one instant, each smaller than the one before; more: an endless series ends later */
 #define PM_BLOW_ROUNDING 1e-10 /* of the energies that a blow moves: rounding; larger: a law that gains energy passes */
 #define PM_BLOW_NOTHING 1e-14 /* of its impulses at the scene's speed: a blow that moves no more is rounding itself; likewise */

@@ -98,6 +98,12 @@
 #define PM_RK_LEDGER_STEPS 16 /* steps from one that integrates the ledger to the next; more: a thinner audit */
 #define PM_RK_FROM_REST 1e3 /* times the speed at which a step begins: so much faster at its end, it begins from rest; more: steps from rest are short in vain; less: less accurate starts */
 #define PM_RK_TIME_ROUNDED 1e-15 /* of a program of the time, and of what it changes by in all the time: rounding; more: errors of weak pulses are missed; less: steps become short in vain */
+#define PM_RK_PLACE_ROUNDED 1e-15 /* of a place, at both ends of a step: rounding of what it goes on by; more: errors of places far away are missed; less: steps become short there in vain */
+#define PM_RK_STEADY 0.05 /* of the allowed error, PM_RK_SAFETY^8: with more the next step is no longer; more: steps stay short where rounding is the error */
+#define PM_RK_FAR 20.0 /* of the scene's size, or rad: nearer places are not far away, and PM_RK_TIGHTEST stands for their rounding; less: stiffness is noticed late */
+#define PM_RK_MOST_MOVED 2.0 /* of the scene's size, or rad: so far a step that is sampled may go where it is PM_RK_GROWN times as fast at its end; larger: samples show less; less: more steps */
+#define PM_RK_MOST_TURNED 0.2 /* rad: so far a step may turn what turns PM_RK_GROWN times as fast at its end, at the tightest; larger: the integrals of reactions are wrong; less: more steps */
+#define PM_RK_GROWN 1.2 /* larger: likewise; less: more steps where rates at the begin limit them well */
 
 #define PM_RK_STABLE 6.1 /* |h lambda| to which the formula is stable: no shorter by accuracy; more: stiffness is missed */
 #define PM_RK_STIFF_STEPS 1500 /* of a phase: so many an implicit route needs, too; more: later handed over */

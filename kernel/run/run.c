@@ -4,10 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "elements/force.h"
 #include "elements/joint_friction.h"
 #include "elements/trigger.h"
-#include "elements/turning_plane.h"
 #include "equations/active_set.h"
 #include "equations/case.h"
 #include "equations/fixed_bodies.h"
@@ -24,7 +22,6 @@
 #include "events/motion_course.h"
 #include "events/time_course.h"
 #include "impact/instant.h"
-#include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/path/repeat.h"
 #include "routes/path/repeat_rest.h"
@@ -82,54 +79,12 @@ static int begin_case(pm_workspace *w, const double *param, pm_start_report *rep
     return status;
 }
 
-/* What the forces at the frame would make of the scene's size. */
-static double speed_by_forces(pm_workspace *w)
-{
-    double fastest = 0;
-    pm_force_all(w);
-    for (int i = 0; i < w->model->nq; i++) {
-        const double length = i % 3 == 2 ? w->numbers.size : 1;
-        if (w->numbers.stand_in[i] > 0) continue;
-        fastest = pm_max(sqrt(fabs(w->numbers.inverse_mass[i] * w->frame.f[i]) * length * w->numbers.size),
-                         fastest);
-    }
-    return fastest;
-}
-
-/* Where bodies rest in places where springs are free their forces are nothing, or rounding: what they would be as far away as the
- * scene is large tells its speed. */
-static double speed_by_stiffness(pm_workspace *w)
-{
-    pm_state_copy(&w->probe, &w->state);
-    for (int i = 0; i < w->model->nq; i++)
-        w->probe.q[i] += PM_SHIFT * (i % 2 ? -1 : 1) * pm_numbers_length(&w->numbers, i);
-    pm_frame_look_state(&w->frame, &w->probe);
-    const double fastest = speed_by_forces(w);
-    pm_frame_look_state(&w->frame, &w->state);
-    return fastest;
-}
-
-/* A scene at rest has no speed yet: what its forces would make of its size is the scale. */
-static void set_speed_scale(pm_workspace *w)
-{
-    double fastest = speed_by_forces(w);
-    const int by_place = w->model->rows[PM_TABLE_FORCE] > 0 || pm_turning_plane_omega(&w->frame) != 0;
-    const double shifted = by_place ? speed_by_stiffness(w) : fastest;
-    if (pm_max(fastest, w->numbers.speed) <= PM_SPEED_ROUNDING * shifted) fastest = shifted / sqrt(PM_SHIFT);
-    fastest = pm_max(fabs(pm_turning_plane_omega(&w->frame)) * w->numbers.size, fastest);
-    if (fastest > w->numbers.speed) w->numbers.speed = fastest;
-    /* nothing to speak of acts or moves: as what crosses the scene, or next to nothing of it, while the run lasts */
-    const double crossing = w->numbers.size / pm_case_max_time(w->model, &w->numbers);
-    if (w->numbers.speed == 0) w->numbers.speed = crossing;
-    w->numbers.speed = pm_max(PM_NO_SPEED * crossing, w->numbers.speed);
-}
-
 /* At the state, with what switches on its side. */
 static void look_at_forces(pm_workspace *w)
 {
     pm_frame_look_state(&w->frame, &w->state);
     pm_trigger_take_sides(w);
-    set_speed_scale(w);
+    pm_speed_scale(w);
 }
 
 static int open_ledger(pm_workspace *w)

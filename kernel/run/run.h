@@ -5,6 +5,7 @@
  *   plan.c          which route computes a phase, and why
  *   routes.c        which routes there are
  *   disturb.c       states that are off by some roundings, in coarse runs
+ *   speed_scale.c   the speed that a scene at rest is measured by
  *   phase_report.c  the list of the phases of one case
  *   workspace.c     memory of a thread
  *
@@ -47,6 +48,11 @@ int pm_plan_end(const pm_model *model, pm_result *result, int status);
 /* Before a phase: in a coarse run it begins at a state that is off by some roundings.  The frame is DYNAMIC before and
  * after. */
 int pm_disturb(pm_workspace *w);
+
+/* ---- speed_scale.c ---- */
+/* Makes w->numbers.speed no less than what the forces make of the scene's size.  The frame looks at w->state, before and
+ * after. */
+void pm_speed_scale(pm_workspace *w);
 
 /* ---- phase_report.c ---- */
 typedef struct pm_phase_report {

@@ -198,12 +198,18 @@ FAULTS = [
         "",
     ),
     Fault(
-        "culling: circles pass each other between samples",
-        "events/gap_culling.c",
+        "passage: circles pass each other between samples",
+        "events/gap_passage.c",
         "fmax(free, safe)",
         "INFINITY",
     ),
-    Fault("culling: accelerations do not count", "events/gap_culling.c", "+ 2 * rate * way", ""),
+    Fault(
+        "passage: what moves farther than it was expected to is not looked at",
+        "events/gap_passage.c",
+        "if (!is_shown(w, i)) return 0;",
+        "(void)is_shown(w, i);",
+    ),
+    Fault("passage: accelerations do not count", "events/gap_passage.c", "+ 2 * rate * way", ""),
     Fault(
         "nodes: measures in another order",
         "events/watched_samples.c",

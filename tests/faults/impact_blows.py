@@ -211,4 +211,16 @@ FAULTS = [
         "return rebounds ? now + pm_contact_tangential(&w->frame, contact) * before : now;",
         "(void)rebounds; return now;",
     ),
+    Fault(
+        "impact: rounding of places far away is not told",
+        "impact/impact_find.c",
+        "PM_DISTURBED_BLOW * pm_evidence_noise(&w->evidence, i)",
+        "0 * pm_evidence_noise(&w->evidence, i)",
+    ),
+    Fault(
+        "impact: a small moment of inertia makes much of rounding",
+        "impact/impact_trial.c",
+        "if (w->active.n > 1 && !w->saddle.light.is_used) pm_saddle_correct(w, b->after);",
+        "",
+    ),
 ]

@@ -29,7 +29,7 @@ FAULTS = [
     ),
     Fault(
         "rk: what a weak pulse beside a strong one adds to a step is not seen",
-        "routes/rk/route_rk.c",
+        "routes/rk/rk_error.c",
         "error <= 1 ? fmax(pm_rk_time_error(w, h), error) : error",
         "error",
     ),
@@ -41,7 +41,7 @@ FAULTS = [
     ),
     Fault(
         "rk: a motion from rest is measured by the speed where the step begins",
-        "routes/rk/route_rk.c",
+        "routes/rk/rk_error.c",
         "if (!(at_end > PM_RK_FROM_REST * speed)) return error;",
         "return error;",
     ),
@@ -74,9 +74,9 @@ FAULTS = [
     ),
     Fault(
         "rk: rounding of the time is taken for an error of the stages",
-        "routes/rk/route_rk.c",
-        "error = pm_rk_error(w->rk, h, pm_rk_time_rounding(w, h))",
-        "error = pm_rk_error(w->rk, h, 0 * pm_rk_time_rounding(w, h))",
+        "routes/rk/rk_error.c",
+        "error > 1 ? pm_rk_time_rounding(w, h) : 0",
+        "0",
     ),
     Fault(
         "rk: a phase begins with a step that has no length",
@@ -143,5 +143,23 @@ FAULTS = [
         "routes/rk/route_rk.c",
         "if (pm_evidence_is_fine(&w->evidence)) h =",
         "if (0) h =",
+    ),
+    Fault(
+        "rk: a step from rest goes as far as its formula is exact",
+        "routes/rk/rk_error.c",
+        "return error <= 1 ? fmax(way_over_allowed(w), error) : error;",
+        "return error;",
+    ),
+    Fault(
+        "rk: reactions may turn as far as they like in a step from rest",
+        "routes/rk/rk_error.c",
+        "turned > 1 ? eighth_power(turned) / loose : 0",
+        "turned > 1e9",
+    ),
+    Fault(
+        "rk: rounding of places far away makes steps short",
+        "routes/rk/rk_error.c",
+        "return PM_RK_PLACE_ROUNDED * most;",
+        "return 0 * most;",
     ),
 ]

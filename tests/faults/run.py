@@ -41,7 +41,7 @@ FAULTS = [
     ),
     Fault(
         "run: nothing is slow",
-        "run/run.c",
+        "run/speed_scale.c",
         "if (w->numbers.speed == 0) w->numbers.speed = crossing;",
         "if (w->numbers.speed == 0) w->numbers.speed = w->numbers.size;",
     ),
@@ -84,8 +84,14 @@ FAULTS = [
     ),
     Fault(
         "start: what rests in a spring has the speed that rounding makes",
-        "run/run.c",
+        "run/speed_scale.c",
         "fastest = shifted / sqrt(PM_SHIFT);",
         "(void)shifted;",
+    ),
+    Fault(
+        "start: a small body on a long arm has the speed of one that spins about itself",
+        "run/speed_scale.c",
+        "return inverse * round > PM_SPEED_ARM ? 1 / round : inverse;",
+        "(void)round; return inverse;",
     ),
 ]

@@ -18,7 +18,7 @@
 #include "equations/saddle.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/gap_culling.h"
+#include "events/gap_passage.h"
 #include "events/time_course.h"
 #include "numerics/tolerances.h"
 #include "routes/ida/ida.h"
@@ -158,7 +158,7 @@ static int limit_step(pm_workspace *w)
     const double *v = w->state.v, *a = accelerations(w->model, w->ida);
     double longest =
         watched ? PM_IDA_LONGEST_STEP * pm_case_time_scale(w->model, &w->numbers, v, a) : INFINITY;
-    if (w->event->nfunction > 0) longest = fmin(longest, PM_IDA_TO_MEETING * pm_gap_culling_time(w, v, a));
+    if (w->event->nfunction > 0) longest = fmin(longest, PM_IDA_TO_MEETING * pm_gap_passage_time(w, v, a));
     return IDASetMaxStep(w->ida->memory, isfinite(longest) ? longest : 0); /* 0: no limit */
 }
 

@@ -1,6 +1,7 @@
 /* rk.h - what the files of the rk route share.
  *
- *   route_rk.c       the route: begin, errors allowed, step control
+ *   route_rk.c       the route: begin, step control
+ *   rk_error.c       which error of a step is allowed, and how much of it a step has
  *   rk_derivative.c  y'
  *   rk_formula.c     stages and end of a step, its error, y inside it
  *   rk_time.c        how far a step is off by what time does to forces and drives
@@ -12,6 +13,8 @@
 #define PM_RK_H
 
 #include "equations/energy_level.h"
+#include "events/ask.h"
+#include "events/event.h"
 #include "numerics/tolerances.h"
 #include "state/workspace.h"
 
@@ -39,7 +42,7 @@ struct pm_rk {
     int ntimed;
     double own;           /* the motion's own time at the end of the last step */
     double rotation_time; /* that of the bodies' turning alone */
-    double meeting;       /* that of open contacts (gap_culling.c) */
+    double meeting;       /* that of open contacts (gap_passage.c) */
     double t0, h;         /* the last step as integrated */
     double end;           /* where it ended */
     double next;          /* step to try next, 0: none known */
@@ -72,6 +75,17 @@ int pm_rk_dense(pm_workspace *w, double t);
 
 /* Y of the last stage, which is at the end of the step as y is. */
 void pm_rk_last_stage(const struct pm_rk *r, double *y);
+
+/* Whether steps are sampled for events or extremes. */
+static inline int pm_rk_is_sampled(const pm_workspace *w)
+{
+    return w->event->nfunction > 0 || w->ask->nobserver > 0;
+}
+
+/* rk_error.c: the scale of errors, by the size and the speed of the scene as they are now. */
+void pm_rk_set_scale(pm_workspace *w);
+/* The error of the step h in r->k, from r->y0 to r->y, over the allowed one; not a number where it has no value. */
+double pm_rk_step_error(pm_workspace *w, double h);
 
 /* rk_time.c: a phase begins; the error of the step h from r->t0 over the allowed one. */
 void pm_rk_time_begin(pm_workspace *w);

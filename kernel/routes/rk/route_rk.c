@@ -1,9 +1,8 @@
 /* route_rk.c - explicit 8th order (DOP853) in the explicit coordinates of the phase (tree.h), back on the
- * loop constraints after each step: begin, what errors are allowed, how long steps are.
+ * loop constraints after each step: begin, how long steps are.
  *
- * Errors of lengths count against the scene's size, of angles against 1 rad (they grow with every revolution), of
- * speeds against its speed.  The step control aims well below the tolerance (safety 0.7): fewer rejections
- * and errors several times smaller for the same work.  The ledger feeds nothing back: it is integrated over
+ * The step control aims well below the tolerance (safety 0.7): fewer rejections and errors several times smaller for the
+ * same work.  The ledger feeds nothing back: it is integrated over
  * the step by the stages that count.  Where energy is kept (energy_level.h) nothing but the impulses of the outer
  * world is in it, and they are evidence alone: the first step of PM_RK_LEDGER_STEPS is a sample of it, the others
  * take what the momenta say. */
@@ -14,7 +13,7 @@
 #include "equations/ledger.h"
 #include "events/ask.h"
 #include "events/event.h"
-#include "events/gap_culling.h"
+#include "events/gap_passage.h"
 #include "numerics/minmax.h"
 #include "numerics/tolerances.h"
 #include "routes/rk/dop853.h"
@@ -43,25 +42,6 @@ static int create(pm_workspace *w)
         PM_ARRAY(r->timed, 2 * w->model->rows[PM_TABLE_FORCE] + w->model->nconstraint),
     };
     return pm_arena_take(&w->memory, PM_ARRAYS(array));
-}
-
-static void set_scale(pm_workspace *w)
-{
-    const pm_model *m = w->model;
-    struct pm_rk *r = w->rk;
-    /* in independent coordinates the others are found by closing loops: there errors of the place count,
-     * too */
-    const int on_level = r->level.kept && w->tree->n - w->tree->nloop == 1 && !w->tree->part.few;
-    const double tolerance = r->tolerance =
-        fmax((on_level ? PM_RK_LEVEL_MARGIN : PM_RK_MARGIN) * w->numbers.tolerance, PM_RK_TIGHTEST);
-    for (int i = 0; i < r->n; i++) {
-        const int angle = pm_tree_is_angle(w->tree, i);
-        r->scale[i] = 1 / (tolerance * (angle ? 1 : w->numbers.size));
-        r->scale[r->n + i] =
-            1 / (tolerance * (angle ? w->numbers.speed / w->numbers.size : w->numbers.speed));
-    }
-    for (int i = 0; i < m->nz_controlled; i++)
-        r->scale[2 * r->n + i] = 1 / (tolerance * pm_ledger_controlled_scale(&w->frame, i));
 }
 
 /* x^(-1/8) */
@@ -93,7 +73,7 @@ static int begin(pm_workspace *w)
     pm_frame_momentum(&w->frame, PM_NONE, r->momentum_now);
     if (w->state.t > r->end) r->next = 0; /* another route was here in between */
     pm_energy_level_begin(w, &r->level);
-    set_scale(w);
+    pm_rk_set_scale(w);
     pm_rk_time_begin(w);
     return PM_OK;
 }
@@ -111,19 +91,14 @@ static double rotation_time(const pm_workspace *w, const double *k)
     return w->numbers.coarse / sqrt(square);
 }
 
-static int is_sampled(const struct pm_event_set *event, const struct pm_ask_set *ask)
-{
-    return event->nfunction > 0 || ask->nobserver > 0;
-}
-
 /* Where the derivative is k; where steps are sampled the frame knows the accelerations. */
 static void set_times(pm_workspace *w, const double *k)
 {
     struct pm_rk *r = w->rk;
     r->rotation_time = rotation_time(w, k);
-    if (!is_sampled(w->event, w->ask)) return;
+    if (!pm_rk_is_sampled(w)) return;
     r->own = pm_case_time_scale(w->model, &w->numbers, w->state.v, w->frame.a);
-    r->meeting = w->event->nfunction > 0 ? pm_gap_culling_time(w, w->frame.velocity, w->frame.a) : INFINITY;
+    r->meeting = w->event->nfunction > 0 ? pm_gap_passage_time(w, w->frame.velocity, w->frame.a) : INFINITY;
 }
 
 /* A step that is sampled for events or extremes may not outrun the motion, even where the formula would be
@@ -131,7 +106,7 @@ static void set_times(pm_workspace *w, const double *k)
  * with the bodies: the ledger of impulses, which does not choose the steps, is their integral. */
 static double longest_step(const pm_workspace *w)
 {
-    if (is_sampled(w->event, w->ask)) return fmin(w->rk->own, w->rk->meeting);
+    if (pm_rk_is_sampled(w)) return fmin(w->rk->own, w->rk->meeting);
     return w->active.n > 0 ? w->rk->rotation_time : INFINITY;
 }
 
@@ -152,7 +127,7 @@ static int last_stage(pm_workspace *w)
     if (r->next_ledger) return pm_rk_derivative_here(w, r->now, 1, k);
     const int status =
         r->swift ? pm_rk_derivative(w, w->state.t, r->now, 0, k) : pm_rk_derivative_here(w, r->now, 0, k);
-    const int wanted = !r->swift || is_sampled(w->event, w->ask); /* by set_times */
+    const int wanted = !r->swift || pm_rk_is_sampled(w); /* by set_times */
     if (!status && wanted && !w->tree->part.few)
         pm_tree_spread_accelerations(w->tree, &w->frame, k + r->n, w->frame.a);
     return status;
@@ -199,7 +174,7 @@ static int accept(pm_workspace *w, double t)
     pm_rk_look_for_stiffness(w);
     r->dense_ready = 0;
     pm_step_set(&w->step, r->t0, r->end = t);
-    if (pm_case_speed(w->model, &w->numbers, w->state.v)) set_scale(w);
+    if (pm_case_speed(w->model, &w->numbers, w->state.v)) pm_rk_set_scale(w);
     return PM_OK;
 }
 
@@ -268,38 +243,6 @@ static double coarse_step(const pm_workspace *w, double h, int begins, double wh
     return begins && h >= w->numbers.coarse * whole ? 0.5 * whole : h;
 }
 
-static double speed_at_end(const pm_workspace *w)
-{
-    const struct pm_rk *r = w->rk;
-    double fastest = 0;
-    for (int i = 0; i < r->n; i++)
-        fastest =
-            pm_max(fabs(r->y[r->n + i]) * (pm_tree_is_angle(w->tree, i) ? w->numbers.size : 1), fastest);
-    return fastest;
-}
-
-static double error_over_allowed(const pm_workspace *w, double h)
-{
-    double error = pm_rk_error(w->rk, h, 0);
-    if (error > 1 && w->rk->ntimed > 0) error = pm_rk_error(w->rk, h, pm_rk_time_rounding(w, h));
-    return error <= 1 ? fmax(pm_rk_time_error(w, h), error) : error;
-}
-
-/* The error of a step over the allowed one.  A motion that begins from rest has a speed at the end of the step: that counts. */
-static double error_of(pm_workspace *w, double h)
-{
-    const double error = error_over_allowed(w, h), speed = w->numbers.speed;
-    if (!(error > 1)) return error;
-    const double at_end = speed_at_end(w);
-    if (!(at_end > PM_RK_FROM_REST * speed)) return error;
-    w->numbers.speed = at_end;
-    set_scale(w);
-    const double then = error_over_allowed(w, h);
-    w->numbers.speed = speed;
-    set_scale(w);
-    return then;
-}
-
 static int step(pm_workspace *w, double t_limit)
 {
     struct pm_rk *r = w->rk;
@@ -325,7 +268,7 @@ static int step(pm_workspace *w, double t_limit)
                            PM_RK_LEAST_STEP * fabs(r->t0));
         pm_tree_forget_regular(w->tree);
         status = pm_rk_stages(w, h, r->k, r->y);
-        const double error = status ? INFINITY : error_of(w, h);
+        const double error = status ? INFINITY : pm_rk_step_error(w, h);
         if (status && status != PM_SINGULAR) return status;
         if (error <= 1) {
             const double factor = error > 0 ? PM_RK_SAFETY * eighth_root_of_inverse(error) : PM_RK_GROW;

@@ -14,7 +14,7 @@ from functools import partial
 from rich.console import Console
 from rich.table import Table
 
-from tests.stress.kinds import blows, flights, forces, friction, multiples, swings
+from tests.stress.kinds import blows, flights, forces, friction, multiples, swings, thrusts
 from tests.stress.kinds.drawn import FAILED, UNDECIDED, Drawn, Judged, Kind, judged
 from tests.stress.misses.verdict import BEYOND, MISSED, NOT_JUDGED, RIGHT, TOLD, Errors, told_columns
 
@@ -40,6 +40,10 @@ KINDS: dict[str, Kind] = {
         swings.dry,
         blows.balls_in_a_row,
         blows.ball_on_a_rod,
+        thrusts.at_a_small_disk,
+        thrusts.at_a_rod,
+        thrusts.at_marks,
+        thrusts.at_a_peg_on_its_way_round,
     )
 }
 ROUTES, OFTEN = ("auto", "rk", "ida"), (0.45, 0.45, 0.1)

@@ -55,6 +55,10 @@ def judged(drawn: Drawn, route: str, accuracy: float) -> Judged:
     if result.status != "ok":
         word = UNDECIDED if result.status == "undecided" and not drawn.edge else TOLD
         return Judged(word, none, result.status)
+    without = [name for name in drawn.truth if _is_missing(result.asks[name].value)]
+    if without:
+        word = NOT_JUDGED if drawn.edge else MISSED
+        return Judged(word, none, f"{without[0]} has no value, true is {drawn.truth[without[0]]}")
     if any(ask.error is None for ask in result.asks.values()):
         return Judged(TOLD, none, "errors that nobody knows")
     words, true, told = [(RIGHT, "")], [], []
@@ -86,6 +90,10 @@ def _beside(ask: AskValue, truth: Value, size: float) -> tuple[str, list[float],
             word = MISSED if word == MISSED or not one <= MISS * most else BEYOND
     least = [max(one, np.finfo(float).eps * most) for one, most in zip(off, sizes, strict=True)]
     return word, least, told
+
+
+def _is_missing(value: Any) -> bool:
+    return value is None or (isinstance(value, float) and math.isnan(value))
 
 
 def _listed(value: Any) -> list[float]:
