@@ -40,4 +40,10 @@ static inline double check_random(double low, double high)
     return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
 }
 
+/* Likewise, uniform in its logarithm. */
+static inline double check_logarithmic(double low, double high)
+{
+    return exp(check_random(log(low), log(high)));
+}
+
 #endif

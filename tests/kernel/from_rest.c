@@ -6,7 +6,13 @@
 #include "estimating.h"
 #include "scene.h"
 
-static double logarithmic(double from, double to) { return exp(check_random(log(from), log(to))); }
+/* In a horizontal plane, on the route rk. */
+static scene *weightless(double accuracy)
+{
+    scene *s = estimating(accuracy);
+    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    return s;
+}
 
 /* c t^power. */
 static int growing(scene *s, double c, double power)
@@ -25,17 +31,16 @@ static void is(const scene *s, int out, double v, double size)
  * than they are: a point of the body is far outside. */
 static void strikes_a_peg(int power)
 {
-    const double way = logarithmic(1, 300), radii = way * logarithmic(1e-5, 1e-2), own = 0.4 * radii;
+    const double way = check_logarithmic(1, 300), radii = way * check_logarithmic(1e-5, 1e-2),
+                 own = 0.4 * radii;
     const double aside = check_random(-0.9, 0.9) * radii, e = check_random(0.2, 1),
-                 c = way * logarithmic(0.1, 10);
+                 c = way * check_logarithmic(0.1, 10);
     const double along = sqrt(radii * radii - aside * aside), nx = along / radii, ny = aside / radii;
     const double t = pow(way * (power + 1) * (power + 2) / c, 1. / (power + 2)),
                  v = c * pow(t, power + 1) / (power + 1);
-    scene *s = estimating(1e-10);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    scene *s = weightless(1e-10);
     const int b = scene_body(s, 1, 0.5 * own * own, 0, 0, 0), g = scene_point(s, b, 0, 0);
-    scene_point(s, b, 0, way * logarithmic(3e-3, 1));
+    scene_point(s, b, 0, way * check_logarithmic(3e-3, 1));
     const int peg = scene_circle(s, scene_point(s, PM_GROUND, way + along, aside), radii - own);
     const int contact =
         scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, g, own), peg, 1, e, PM_FRICTION_SMOOTH, 0);
@@ -56,12 +61,10 @@ static void strikes_a_peg(int power)
  * check. */
 static void turns(int power, double accuracy)
 {
-    const double arm = logarithmic(0.1, 10), gyration = arm * logarithmic(1e-6, 1),
-                 mass = logarithmic(0.1, 10);
-    const double inertia = mass * (arm * arm + gyration * gyration), c = logarithmic(0.1, 10);
-    scene *s = estimating(accuracy);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    const double arm = check_logarithmic(0.1, 10), gyration = arm * check_logarithmic(1e-6, 1),
+                 mass = check_logarithmic(0.1, 10);
+    const double inertia = mass * (arm * arm + gyration * gyration), c = check_logarithmic(0.1, 10);
+    scene *s = weightless(accuracy);
     const int b = scene_body(s, mass, mass * gyration * gyration, arm, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -arm, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_couple(s, b, PM_GROUND, growing(s, c * inertia, power));
@@ -78,12 +81,11 @@ static void turns(int power, double accuracy)
  * and its rebound is no slow one. */
 static void rebounds_on_an_arm(void)
 {
-    const double arm = logarithmic(1, 10), own = arm * logarithmic(1e-4, 1e-3), k = 1e-3 * own,
+    const double arm = check_logarithmic(1, 10), own = arm * check_logarithmic(1e-4, 1e-3), k = 1e-3 * own,
                  e = check_random(0.2, 0.6);
-    const double alpha = logarithmic(0.1, 10), way = check_random(0.5, 2), contact_at = way + asin(own / arm);
-    scene *s = estimating(1e-8);
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-    scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+    const double alpha = check_logarithmic(0.1, 10), way = check_random(0.5, 2),
+                 contact_at = way + asin(own / arm);
+    scene *s = weightless(1e-8);
     const int b = scene_body(s, 1, k * k, arm, 0, 0), g = scene_point(s, b, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -arm, 0), scene_point(s, PM_GROUND, 0, 0), 0);
     scene_couple(s, b, PM_GROUND, growing(s, alpha * (arm * arm + k * k), 0));
@@ -104,10 +106,9 @@ static void rebounds_on_an_arm(void)
  * rounding than there is. */
 static void turns_back_on_an_arm(void)
 {
-    const double arm = logarithmic(0.1, 10), k = arm * logarithmic(1e-3, 1), e = check_random(0, 1),
-                 omega = check_random(0.5, 5), at = check_random(0.3, 2);
+    const double arm = check_logarithmic(0.1, 10), k = arm * check_logarithmic(1e-3, 1),
+                 e = check_random(0, 1), omega = check_random(0.5, 5), at = check_random(0.3, 2);
     scene *s = scene_create();
-    *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
     scene_set(s, PM_SETTING_GRAVITY_Y, 0);
     const int b = scene_body(s, 1, k * k, arm, 0, 0);
     scene_joint(s, PM_JOINT_PIN, scene_point(s, b, -arm, 0), scene_point(s, PM_GROUND, 0, 0), 0);
@@ -128,13 +129,11 @@ static void tells_what_is_rounded(void)
 {
     int beyond = 0;
     for (int i = 0; i < 40; i++) {
-        const double way = logarithmic(10, 50), radius = logarithmic(3e-3, 1e-2),
+        const double way = check_logarithmic(10, 50), radius = check_logarithmic(3e-3, 1e-2),
                      aside = check_random(0.3, 0.9) * radius;
-        const double v = logarithmic(1, 100), nx = sqrt(1 - aside * aside / (radius * radius)),
+        const double v = check_logarithmic(1, 100), nx = sqrt(1 - aside * aside / (radius * radius)),
                      ny = aside / radius;
-        scene *s = estimating(1e-12);
-        *scene_setting(s, PM_SETTING_ROUTE) = PM_ROUTE_RK;
-        scene_set(s, PM_SETTING_GRAVITY_Y, 0);
+        scene *s = weightless(1e-12);
         const int b = scene_body(s, 1, radius * radius, 0, 0, 0), g = scene_point(s, b, 0, 0);
         const int peg = scene_circle(s, scene_point(s, PM_GROUND, way, aside), 0.5 * radius);
         const int contact = scene_contact(s, PM_CONTACT_CIRCLE, scene_circle(s, g, 0.5 * radius), peg, 1, 1,

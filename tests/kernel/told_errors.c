@@ -5,8 +5,6 @@
 #include "estimating.h"
 #include "scene.h"
 
-static double logarithmic(double from, double to) { return exp(check_random(log(from), log(to))); }
-
 /* What is told covers what is wrong, but for the last digits of the answer itself. */
 static void covers(const scene *s, int out, long double truth)
 {
@@ -17,7 +15,8 @@ static void covers(const scene *s, int out, long double truth)
 /* A mass slides over the end of an edge that is far longer than its way, and falls off: it does not come to it again. */
 static void leaves_an_edge(int route)
 {
-    const double way = logarithmic(0.1, 5), length = way * logarithmic(1, 30), speed = logarithmic(0.1, 10);
+    const double way = check_logarithmic(0.1, 5), length = way * check_logarithmic(1, 30),
+                 speed = check_logarithmic(0.1, 10);
     scene *s = estimating(1e-10);
     const int b = scene_body(s, 1, 0, -way, 0, 0), p = scene_point(s, b, 0, 0);
     const int contact =
@@ -48,7 +47,7 @@ static int parabola(scene *s, double focus)
 /* From rest to the bottom, some times; the curve is far larger than the way.  Nobody asks for the time. */
 static void bead(void)
 {
-    const double focus = logarithmic(0.05, 5), x = focus * logarithmic(0.01, 6);
+    const double focus = check_logarithmic(0.05, 5), x = focus * check_logarithmic(0.01, 6);
     const int n = 1 + (int)check_random(0, 8);
     scene *s = estimating(1e-10);
     const int b = scene_body(s, 1, 0, x, x * x / (4 * focus), 0), p = scene_point(s, b, 0, 0);
@@ -70,7 +69,7 @@ static void bead(void)
 /* A rod swings up to next to its top: the nearer, the less its energy tells of the place. */
 static void turns_back(void)
 {
-    const double short_of = logarithmic(1e-9, 0.3);
+    const double short_of = check_logarithmic(1e-9, 0.3);
     const long double most = sqrtl(6 * (long double)G);
     const double omega = (double)(most * (1 - short_of));
     scene *s = estimating(1e-10);
@@ -91,7 +90,7 @@ static void turns_back(void)
  * of heights. */
 static void time_of_top(void)
 {
-    const double k = logarithmic(0.01, 10), up = logarithmic(1, 100);
+    const double k = check_logarithmic(0.01, 10), up = check_logarithmic(1, 100);
     scene *s = estimating(1e-12);
     const int b = scene_body(s, 1, 0, 0, 0, 0), p = scene_point(s, b, 0, 0);
     const scene_code vy = scene_m(scene_part(s, PM_MEASURE_VELOCITY, p, PM_PART_Y));

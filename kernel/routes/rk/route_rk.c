@@ -2,8 +2,7 @@
  * loop constraints after each step: begin, how long steps are.
  *
  * The step control aims well below the tolerance (safety 0.7): fewer rejections and errors several times smaller for the
- * same work.  The ledger feeds nothing back: it is integrated over
- * the step by the stages that count.  Where energy is kept (energy_level.h) nothing but the impulses of the outer
+ * same work.  The ledger feeds nothing back: it is integrated over the step by the stages that count.  Where energy is kept (energy_level.h) nothing but the impulses of the outer
  * world is in it, and they are evidence alone: the first step of PM_RK_LEDGER_STEPS is a sample of it, the others
  * take what the momenta say. */
 #include <math.h>

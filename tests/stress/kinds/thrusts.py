@@ -130,7 +130,7 @@ def at_a_rod(draw: random.Random) -> Drawn:
     P = (1 + e) v.n / (1/m + 1/M + (r x n)^2/I).
     """
     way = 10 ** draw.uniform(0, 2.5)
-    a, e, v = way * 10 ** draw.uniform(-4, -1), draw.uniform(0.3, 1), 0.0
+    a, e = way * 10 ** draw.uniform(-4, -1), draw.uniform(0.3, 1)
     m, mass = (10 ** draw.uniform(-1, 1) for _ in range(2))
     length = a * 10 ** draw.uniform(-0.5, 2.5)
     inertia = mass * length**2 / 12
